@@ -301,17 +301,6 @@ void ContactForces::absorbed(Absorbed& work) const {
   for (const ContactState& state : states_) add_works(state, work);
 }
 
-std::vector<ContactForces::NodePass> ContactForces::begin_node_passes() {
-  std::vector<NodePass> list;
-  for (std::size_t i = 0; i < interface_of_.size(); ++i) {
-    ContactInterface& interface = interfaces_[interface_of_[i]];
-    interface.begin_passes();
-    for (const ContactPass* const pass : interface.node_passes())
-      list.push_back({states_[i].contact, &interface, pass});
-  }
-  return list;
-}
-
 std::size_t ContactForces::waiting() const { return count_waiting(interfaces_); }
 
 std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {

@@ -41,19 +41,11 @@ class ContactForces : public Force, public ContactSource {
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
   void links(std::size_t position, std::vector<ContactLink>& links) const override;
   [[nodiscard]] std::optional<double> stored(std::size_t position) const override;
+  ContactInterface& interface(std::size_t i) { return interfaces_[interface_of_[i]]; }  ///< that of states()[i]
   [[nodiscard]] std::vector<ContactEvent> take_events() override { return std::exchange(events_, {}); }
   [[nodiscard]] const ContactCounters& counters() const { return counters_; }
   /// Interfaces that have had nothing near so far.
   [[nodiscard]] std::size_t waiting() const;
-
-  /// One pass over the nodes of a contact.
-  struct NodePass {
-    ContactIndex contact;
-    const ContactInterface* interface = nullptr;
-    const ContactPass* pass = nullptr;
-  };
-  /// All of them, also those that have waited for something to be near; after the first force evaluation.
-  [[nodiscard]] std::vector<NodePass> begin_node_passes();
 
   [[nodiscard]] static bool calculates(const model::Contact& contact) {
     const ContactMethod method = choose_method(contact).method;

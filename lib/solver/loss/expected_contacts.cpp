@@ -85,11 +85,11 @@ class ContactExpectation {
 
   void find_impacts() {
     MeetingCounters counters;
-    std::vector<ContactForces::NodePass> passes;
-    for (const ContactForces::NodePass& pass : run_.contact_forces().begin_node_passes())
+    std::vector<NodePass> passes;
+    for (const NodePass& pass : node_passes(run_.contact_forces()))
       if (why_not_looked_at(model_.contact(pass.contact)).empty()) passes.push_back(pass);
     std::vector<std::vector<Meeting>> meetings;
-    for (const ContactForces::NodePass& pass : passes)
+    for (const NodePass& pass : passes)
       meetings.push_back(find_meetings(pass.pass->pairs(), flight_, result_.until, counters));
     std::map<ContactIndex, std::uint64_t> asleep;
     for (std::size_t p = 0; p < passes.size(); ++p)
@@ -114,7 +114,7 @@ class ContactExpectation {
     result_.closest_points = counters.steps;
   }
 
-  void add_impact(const ContactForces::NodePass& pass, const Meeting& meeting) {
+  void add_impact(const NodePass& pass, const Meeting& meeting) {
     const TrackedPairs& pairs = pass.pass->pairs();
     const contact::PairScene& scene = pairs.scene();
     Impact& impact = impacts_.emplace_back();

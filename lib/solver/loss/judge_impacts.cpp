@@ -10,7 +10,7 @@
 
 #include "records/expected_contact.hpp"
 #include "solver/loss/deepest_nodes.hpp"
-#include "solver/loss/impact.hpp"
+#include "solver/loss/impact_depth.hpp"
 
 namespace gapcheck::solver {
 namespace {

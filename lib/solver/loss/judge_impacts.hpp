@@ -15,7 +15,7 @@ namespace gapcheck::solver {
 
 /// A meeting with the spring that the run puts there.
 struct Impact {
-  ContactForces::NodePass pass;
+  NodePass pass;
   Meeting meeting;
   NodeIndex node;
   model::SegmentNodes corners;

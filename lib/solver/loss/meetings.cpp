@@ -235,6 +235,17 @@ std::optional<Meeting> first_meeting(const TrackedPairs& pairs, const Flight& fl
 
 }  // namespace
 
+std::vector<NodePass> node_passes(ContactForces& contacts) {
+  std::vector<NodePass> list;
+  for (std::size_t i = 0; i < contacts.states().size(); ++i) {
+    ContactInterface& interface = contacts.interface(i);
+    interface.begin_passes();
+    for (const ContactPass* const pass : interface.node_passes())
+      list.push_back({contacts.states()[i].contact, &interface, pass});
+  }
+  return list;
+}
+
 TimeOfContact meet_segment(const TrackedPairs& pairs, const Flight& flight, SlotIndex slot, SegmentIndex segment,
                            double until) {
   const contact::PairScene& scene = pairs.scene();

@@ -3,11 +3,21 @@
 #include <vector>
 
 #include "contact/search/box_pairs.hpp"
+#include "solver/contact/contact_forces.hpp"
 #include "solver/contact/contact_pass.hpp"
 #include "solver/loss/flight.hpp"
 #include "solver/loss/time_of_contact.hpp"
 
 namespace gapcheck::solver {
+
+/// One pass of a run over the nodes of a contact.
+struct NodePass {
+  ContactIndex contact;
+  const ContactInterface* interface = nullptr;
+  const ContactPass* pass = nullptr;
+};
+/// All of them, also those that have waited for something to be near; after the first force evaluation.
+[[nodiscard]] std::vector<NodePass> node_passes(ContactForces& contacts);
 
 /// A tracked node and the segment that it meets first.
 struct Meeting {

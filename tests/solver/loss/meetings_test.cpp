@@ -20,14 +20,14 @@ struct Passes : private Run::Observer {
     }
     run.emplace(std::move(prepared).value());
     run->go(*this);
-    list = run->contact_forces().begin_node_passes();
+    list = node_passes(run->contact_forces());
   }
   SolverStatus observe(const Run&, std::optional<RunEnd>) override { return {}; }
   model::Read read;
   contact::SurfaceStore surfaces;
   Diagnostics diagnostics;
   std::optional<Run> run;
-  std::vector<ContactForces::NodePass> list;
+  std::vector<NodePass> list;
 };
 
 std::string scene(const std::string& type) {
@@ -92,7 +92,7 @@ TEST(Meetings, TheSearchFindsWhatAllPairsFind) {
         if (n % 3 == 2) v[i] += 0.2 * Vector(unit(random), unit(random), unit(random));
       }
       const Flight flight(v);
-      for (const ContactForces::NodePass& pass : passes.list) {
+      for (const NodePass& pass : passes.list) {
         double until = 1, brute_until = 1;
         MeetingCounters counters, brute;
         const auto tree = find_meetings(pass.pass->pairs(), flight, until, counters);

@@ -1,5 +1,5 @@
 // Depths and speeds at which contact lets go, against central differences of masses and springs.
-#include "solver/loss/impact.hpp"
+#include "solver/loss/impact_depth.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace gapcheck::solver::impact_closed_forms_test {
+namespace gapcheck::solver::impact_depth_test {
 namespace {
 
 TEST(ImpactDepth, OneMassStaysBetweenTheBoundsForEveryPhase) {
@@ -124,4 +124,4 @@ TEST(ImpactDepth, BoundsOfElasticBodiesHoldForRandomOnes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver::impact_closed_forms_test
+}  // namespace gapcheck::solver::impact_depth_test

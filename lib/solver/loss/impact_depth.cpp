@@ -1,4 +1,4 @@
-#include "solver/loss/impact.hpp"
+#include "solver/loss/impact_depth.hpp"
 
 #include <algorithm>
 #include <cmath>
