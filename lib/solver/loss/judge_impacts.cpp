@@ -5,12 +5,14 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "records/expected_contact.hpp"
 #include "solver/loss/deepest_nodes.hpp"
 #include "solver/loss/impact_depth.hpp"
+#include "solver/loss/spring_share.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -51,6 +53,9 @@ class GroupJudge {
     kind_a_ = bodies_.kind(on_a_);
     kind_b_ = group.a == group.b ? kind_a_ : bodies_.kind(on_b_);
     one_mass_ = group.a != group.b && kind_a_ != Kind::elastic && kind_b_ != Kind::elastic;
+    set_mobilities();
+    if (one_mass_ || !moves_as_one()) return;
+    one_mass_ = true;
     set_mobilities();
   }
 
@@ -107,6 +112,7 @@ class GroupJudge {
     // The first node alone takes longest; what meets within a small share of that meets with it.
     const Impact& begin = impacts_[group_.members.front()];
     quarter_ = quarter_of(begin, begin.spring.stiffness);
+    first_stiffness_ = 0;
     const double same_time = alike_share * alike_share * quarter_;
     for (const std::size_t i : group_.members) {
       impacts_[i].first = impacts_[i].time() - group_.begin <= same_time;
@@ -123,8 +129,30 @@ class GroupJudge {
     return rate > 0 ? std::numbers::pi / 2 / std::sqrt(rate) : 0;
   }
 
+  /// Whether a body that deforms meets something fixed with all of its mass at one time, all nodes with springs in the
+  /// ratio of their masses: then they slow down together, and it does not deform.
+  [[nodiscard]] bool moves_as_one() const {
+    if ((kind_a_ == Kind::fixed) == (kind_b_ == Kind::fixed) || group_.a == group_.b) return false;
+    const std::uint32_t body = kind_a_ == Kind::fixed ? group_.b : group_.a;
+    std::map<NodeIndex, double> springs;
+    for (const std::size_t i : group_.members) {
+      if (!impacts_[i].first || bodies_.of(impacts_[i].node) != body) return false;
+      springs[impacts_[i].node] += impacts_[i].spring.stiffness;
+    }
+    double mass = 0;
+    for (const auto& [node, stiffness] : springs) mass += scene_.state.mass[node.value];
+    for (const auto& [node, stiffness] : springs)
+      if (bodies_.rigid(node) != nullptr ||
+          !(std::abs(stiffness * mass - first_stiffness_ * scene_.state.mass[node.value]) <=
+            alike_share * first_stiffness_ * scene_.state.mass[node.value]))
+        return false;
+    return bodies_.mass(body) <= mass * (1 + 1e-9) &&
+           bodies_.flies_freely(body, start_velocity(springs.begin()->first));
+  }
+
   /// Of one mass: 0 where it is fixed.
   [[nodiscard]] double mobility(Kind kind, const std::vector<NodeIndex>& nodes) const {
+    if (one_mass_ && kind == Kind::elastic) return 1 / bodies_.mass(bodies_.of(nodes.front()));
     return kind == Kind::fixed || kind == Kind::elastic || nodes.empty() ? 0 : bodies_.mobility(nodes.front(), normal_);
   }
 
@@ -226,39 +254,14 @@ class GroupJudge {
     if (!energy_known_) {
       energy_known_ = true;
       energy_ = bodies_.energy(group_.a, group_.b);
-      share_ = share_of_springs();
+      std::vector<const Impact*> in_time;
+      for (const std::size_t i : group_.members)
+        if (comes_in_time(impacts_[i])) in_time.push_back(&impacts_[i]);
+      share_ = share_of_springs(scene_, in_time, normal_);
     }
     if (!energy_) return;
     if (const auto depth = depth_of_energy(*energy_, impact.spring.stiffness, share_); depth && *depth > 0)
       impact.low = impact.release / *depth;
-  }
-
-  /// (Step times frequency)² of the springs, at most.
-  [[nodiscard]] double share_of_springs() const {
-    // The rows of M⁻¹ K of the springs: each pushes a node, and the corners as much together.
-    std::map<NodeIndex, double> pushed;
-    double of_bodies = 0;
-    const auto push = [&](NodeIndex node, double stiffness, const Vector& place) {
-      if (bodies_.kind(std::array{node}) == Kind::fixed) return;
-      if (const BodyState* const body = bodies_.rigid(node)) {
-        const Vector turn = (place - body->center - body->velocity * group_.begin).cross(normal_);
-        of_bodies += stiffness * (bodies_.mobility(node, normal_) + turn.dot(body->turn_response * turn));
-      } else {
-        pushed[node] += stiffness;
-      }
-    };
-    for (const std::size_t i : group_.members) {
-      const Impact& impact = impacts_[i];
-      if (!comes_in_time(impact)) break;
-      push(impact.node, impact.spring.stiffness, scene_.state.x[impact.node.value]);
-      for (std::size_t c = 0; c < 4; ++c)
-        if (const double weight = impact.meeting.contact.weights[c]; weight > 0)
-          push(impact.corners[c], weight * impact.spring.stiffness, scene_.state.x[impact.corners[c].value]);
-    }
-    double of_nodes = 0;
-    for (const auto& [node, stiffness] : pushed)
-      of_nodes = std::max(of_nodes, 2 * stiffness / scene_.state.mass[node.value]);
-    return square(scene_.step) * (of_nodes + of_bodies);
   }
 
   /// Speeds with which something is released for sure. Of a body that flies freely onto a fixed one.

@@ -80,6 +80,13 @@ std::vector<LimitImpact> limit_impacts() {
                   },
                   100});
   list.push_back({"mass points on a held plate", points_on_plate, 20});
+  list.push_back({"an elastic shell with all of its mass at its corners",
+                  [](double speed) {
+                    return shell_sheet(1, 3, 5, 0) + shell_sheet(2, 1, 4, 1 + gap) +
+                           shell_part(1, 1, rigid_steel(1, 7)) + shell_part(2, 1, elastic_steel(2, 7.85e-4)) +
+                           ImpactContact{}.text() + thrown(2, speed) + ends_at(gap / speed + 0.3, 0, 0.1);
+                  },
+                  10});
   list.push_back({"a driven plate", driven_plate, 100});
   return list;
 }
