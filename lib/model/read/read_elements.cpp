@@ -255,6 +255,10 @@ void read_particles(Context& context, const Block& block, const Options&) {
 
 void finish_elements(Context& context) {
   Mesh& mesh = context.model.mesh;
+  for (Layup& layup : mesh.shells.layups)
+    for (Ply& ply : layup.plies)
+      if (const auto found = context.material_of_id.find(ply.material_id); found != context.material_of_id.end())
+        ply.material = found->second;
   const auto erased = finish_kind(context, "shell", static_cast<Elements<4>&>(mesh.shells));
   if (!erased.empty()) {
     follow(erased, mesh.shells.own_thickness);

@@ -152,8 +152,6 @@ void finish_parts(Context& context) {
     part.material = find(context.material_of_id, part.material_id);
     for (Ply& ply : part.plies) ply.material = find(context.material_of_id, ply.material_id);
   }
-  for (Layup& layup : context.model.mesh.shells.layups)
-    for (Ply& ply : layup.plies) ply.material = find(context.material_of_id, ply.material_id);
 }
 
 void finish_sections(Context& context) {

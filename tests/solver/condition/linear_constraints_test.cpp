@@ -170,7 +170,7 @@ TEST(LinearConstraints, Refused) {
   refused(equation("1,1,0.\n2,1,1.\n"), Failure::Kind::contradiction, "COEF");
   refused(equation("1,4,1.\n2,1,1.\n"), Failure::Kind::zero_mass, "rotational inertia");
   refused(equation("1,1,1.\n2,1,1.\n", "*BOUNDARY_SPC_NODE\n2,0,1\n"), Failure::Kind::not_calculated, "held or moved");
-  refused(equation("1,1,1.\n2,1,1.\n", "*RIGIDWALL_PLANAR\n0\n0.,0.,-9.,0.,0.,1.\n0.\n"), Failure::Kind::not_calculated,
+  refused(equation("1,1,1.\n2,1,1.\n", "*RIGIDWALL_PLANAR\n0\n0.,0.,-9.,0.,0.,1.\n"), Failure::Kind::not_calculated,
           "rigid walls");
   refused(equation("1,1,1.\n11,1,1.\n", rigid_box + rigid_material), Failure::Kind::not_calculated, "rigid body");
   refused(joined("6,1\n"), Failure::Kind::unknown_reference, "node set 6");

@@ -101,7 +101,7 @@ TEST(BeamHinge, LoadBetweenTwoCantilevers) {
 /// A beam along x, clamped at its first node, pulled at its second one.
 std::string pulled(const std::string& element, const std::string& section) {
   return "*NODE\n1,0.,0.,0.\n2,2.,0.,0.\n4,0.,1.,0.\n" + element + "*PART\np\n1,1,1\n*SECTION_BEAM\n" + section +
-         "*MAT_ELASTIC\n1,2.,1000.,0.25\n*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n*LOAD_NODE_POINT\n2,1,9,1e-5\n";
+         "*MAT_ELASTIC\n1,2.,1000.,0.25\n*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n*LOAD_NODE_POINT\n2,1,9,1e-6\n";
 }
 
 // The axis is off the line of the force by e: P L/EA + P e² L/EI along it, θ = P e L/EI about s or t.
@@ -159,7 +159,7 @@ TEST(BeamOffset, EccentricTension) {
       moment = run.stepper().structure().beams.moment_at_end(0, 1).norm();
       axial = run.stepper().structure().beams.axial(0);
     });
-    const double load = 1e-5, distance = one.arm.norm();
+    const double load = 1e-6, distance = one.arm.norm();
     const double stiffness = young * (one.arm.z() != 0 ? one.iss : one.itt);
     const double along = load * length * (1 / (young * one.area) + distance * distance / stiffness);
     EXPECT_NEAR(shift->x() / along, 1, 1e-4) << one.name;
