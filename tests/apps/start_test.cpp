@@ -77,10 +77,14 @@ TEST_F(StartProgram, WhatWillBeLostIsInTextAndJsonIfSomethingMoves) {
   const Json& row = expected["contacts"][0];
   EXPECT_EQ(row["nodes"], 4);
   EXPECT_EQ(row["speed"], 20);
-  EXPECT_EQ(row["reason"], "parts deform");
-  EXPECT_LT(row["low"], row["high"]);
-  EXPECT_EQ(row["lost"], false);
-  EXPECT_NE(gapcheck("start data/workshop/rebound_thin.k").out.find("not certain, parts deform"), std::string::npos);
+  // 0.8 of 0.15 over v / w, 20 over 142.4 / ms.
+  EXPECT_NEAR(row["margin"].get<double>(), 0.8 * 0.15 * 142.4 / 20, 1e-3);
+  EXPECT_LT(row["low"], row["margin"]);
+  EXPECT_LT(row["margin"], row["high"]);
+  EXPECT_EQ(row["lost"], true);
+  EXPECT_EQ(row["held"], false);
+  EXPECT_FALSE(row.contains("alone"));
+  EXPECT_NE(gapcheck("start data/workshop/rebound_thin.k").out.find("  lost; 2: SST 0.351"), std::string::npos);
   const Ended counted = gapcheck("start data/workshop/rebound_thin.k --stats --quiet");
   EXPECT_NE(counted.err.find("candidates"), std::string::npos) << counted.err;
   EXPECT_EQ(std::count(counted.out.begin(), counted.out.end(), '\n'), 1) << counted.out;
