@@ -123,21 +123,23 @@ def strict(schema):
 
 
 def check_fix(gapcheck, root):
-    """The report of a correction of every deck: written, and as a dry run with something locked."""
+    """The report of a correction of every deck: written, verified by runs, and as a dry run with everything locked."""
     schema = json.loads((root / "docs/schema/gapcheck-fix-1.schema.json").read_text())
     jsonschema.Draft7Validator.check_schema(schema)
     validator = jsonschema.Draft7Validator(strict(schema))
     seen = set()
     with tempfile.TemporaryDirectory() as folder:
         for deck in sorted((root / "data").glob("*.k")):
-            for more in (["-o", folder], ["--dry-run", "--lock", "1"]):
+            for more in (["-o", folder], ["--dry-run", "--lock", "1", "--verify", "--cycles", "3"],
+                         ["--dry-run", "--lock", "node:1-1000000000"]):
                 run = subprocess.run([gapcheck, "fix", deck, "--format", "json", *more], capture_output=True, text=True)
                 assert run.returncode in (0, 1), f"{deck}: {run.stderr}"
                 report = json.loads(run.stdout)
                 validator.validate(report)
-                assert report["summary"]["complete"] == (run.returncode == 0), deck
-                seen |= {key for key in ("moved", "unfixed", "proposals", "files") if report[key]}
-    assert seen == {"moved", "unfixed", "proposals", "files"}, seen
+                proven = report.get("proof", {"holds": True})["holds"]
+                assert (report["summary"]["complete"] and proven) == (run.returncode == 0), deck
+                seen |= {key for key in ("moved", "unfixed", "proposals", "files", "proof") if report.get(key)}
+    assert seen == {"moved", "unfixed", "proposals", "files", "proof"}, seen
 
 
 def check_start(gapcheck, root):

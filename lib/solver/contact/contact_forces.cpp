@@ -182,8 +182,7 @@ void ContactForces::erode(const State& state) {
 
 bool ContactForces::search_is_due(const State& state) const {
   const auto interval = static_cast<std::uint64_t>(sort_interval_);
-  const bool again = state.cycle < searched_;  // cycles begin again after a relaxation
-  return released_ || again || !(margin_.used() <= margin_.margin()) ||
+  return released_ || state.cycle < searched_ || !(margin_.used() <= margin_.margin()) ||
          (interval > 0 && state.cycle >= searched_ + interval);
 }
 

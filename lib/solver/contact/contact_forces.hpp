@@ -119,7 +119,7 @@ class ContactForces : public Force, public ContactSource {
   MarginUse margin_;                    ///< since the last search for all contacts
   std::vector<double> used_at_search_;  ///< by interface: how much of it was used up at its own last search
   std::int64_t sort_interval_ = 0;      ///< smallest BSORT; 0: none given
-  std::uint64_t searched_ = 0;          ///< cycle of the last search
+  std::uint64_t searched_ = 0;          ///< cycle of the last search; they begin again after a relaxation
   std::uint64_t failures_ = 0;          ///< FailedElements::count that the surfaces know
   std::unique_ptr<contact::TimestepEstimate> estimate_;
   double stable_step_ = std::numeric_limits<double>::infinity();
