@@ -22,8 +22,7 @@ SolverStatus check_values(const model::Controls& controls) {
   const auto fail = [&](const std::string& why) {
     return refused_relaxation(Failure::Kind::contradiction, why, controls.relaxation_place);
   };
-  if (controls.nrcyck < 1)
-    return fail(fmt::format("NRCYCK = {} is no number of cycles; set 1 or more", controls.nrcyck));
+  if (controls.nrcyck < 1) return fail(fmt::format("NRCYCK = {} must be 1 or more cycles", controls.nrcyck));
   if (!(controls.drtol > 0) || !(controls.drtol < 1))
     return fail(fmt::format("DRTOL = {:g} is no ratio of energies; set a number between 0 and 1", controls.drtol));
   if (!(controls.drterm >= 0))
