@@ -20,6 +20,16 @@ function(gapcheck_optimise level)
   endforeach()
 endfunction()
 
+# gapcheck_inline_more(TARGET…): for the rooms that compute. In units of many files g++ soon reaches the growth by inlining
+# that it allows, and then calls even what is one line. tests/bench/instructions counts what that costs.
+function(gapcheck_inline_more)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    foreach(target ${ARGN})
+      target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:--param=inline-unit-growth=200>)
+    endforeach()
+  endif()
+endfunction()
+
 # gapcheck_test(NAME SOURCES file… DEPENDS target…): one test program gapcheck_test_NAME, run by ctest.
 function(gapcheck_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
@@ -27,13 +37,12 @@ function(gapcheck_test name)
   target_link_libraries(gapcheck_test_${name} PRIVATE gapcheck_flags ${TEST_DEPENDS} GTest::gtest_main)
   target_include_directories(gapcheck_test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(gapcheck_test_${name} PRIVATE GAPCHECK_ROOT="${PROJECT_SOURCE_DIR}")
-  add_test(NAME ${name} COMMAND gapcheck_test_${name})
   # Tests are compiled once and run once: less optimised they are there sooner, but for those with slow twins.
   set(level 0)
   if(name MATCHES "^(audit|contact|contact_rules|fix|geometry|solver|stress|threads)$")
     set(level 1)
   endif()
   target_compile_options(gapcheck_test_${name} PRIVATE $<$<CONFIG:Release>:-O${level}>)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 900)
+  gapcheck_add_halves(gapcheck_test_${name} ${name} "" TIMEOUT 900)
   gapcheck_twin_test(gapcheck_test_${name} sanitized ${name})
 endfunction()

@@ -9,6 +9,14 @@ option(GAPCHECK_TWINS "Build sanitized twins of libraries and tests (targets …
 set(GAPCHECK_TWIN_sanitized -O1 -g1 -UNDEBUG -DEIGEN_MALLOC_ALREADY_ALIGNED=1 -fsanitize=address,undefined
     -fno-sanitize=null,object-size,vptr,alignment,pointer-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer)
 set(GAPCHECK_TWIN_threads -O0 -g1 -UNDEBUG -fsanitize=thread -fno-omit-frame-pointer)
+# clang compiles the twins in half the time of g++, as far as it is installed; its code and that of g++ go together.
+find_program(GAPCHECK_TWIN_COMPILER clang++-14)
+set(GAPCHECK_TWIN_LAUNCHER "")
+if(GAPCHECK_TWIN_COMPILER)
+  string(STRIP "${GAPCHECK_CCACHE} ${GAPCHECK_TWIN_COMPILER}" command)
+  string(REPLACE "GAPCHECK_CCACHE-NOTFOUND " "" command "${command}")
+  set(GAPCHECK_TWIN_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/use_instead.sh "${command}")
+endif()
 # Compiled file by file, so that no file misses an include.
 set(GAPCHECK_PLAIN_TWINS gapcheck_base gapcheck_records gapcheck_keyword)
 
@@ -34,6 +42,34 @@ function(gapcheck_twin_test target kind test)
   endif()
 endfunction()
 
+# gapcheck_add_halves(TARGET TEST SUFFIX PROPERTY VALUE…): test TEST+SUFFIX that runs program TARGET+SUFFIX. The longest
+# one runs in two halves at once, before the others. Under its second name it writes results of its own.
+function(gapcheck_add_halves target test suffix)
+  cmake_parse_arguments(HALF "" "TIMEOUT" "LABELS;ENVIRONMENT;ARGUMENTS" ${ARGN})
+  set(halves ${test})
+  if(test STREQUAL solver)
+    list(APPEND halves solver.second)
+    add_custom_command(TARGET ${target}${suffix} POST_BUILD
+      COMMAND ${CMAKE_COMMAND} -E create_symlink $<TARGET_FILE_NAME:${target}${suffix}> ${target}.second${suffix}
+      WORKING_DIRECTORY $<TARGET_FILE_DIR:${target}${suffix}>)
+  endif()
+  list(LENGTH halves count)
+  set(number 0)
+  foreach(half ${halves})
+    string(REPLACE ${test} ${target} program ${half})
+    add_test(NAME ${half}${suffix}
+             COMMAND $<TARGET_FILE_DIR:${target}${suffix}>/${program}${suffix} ${HALF_ARGUMENTS})
+    set(environment ${HALF_ENVIRONMENT})
+    if(count GREATER 1)
+      list(APPEND environment GTEST_TOTAL_SHARDS=${count} GTEST_SHARD_INDEX=${number})
+      set_tests_properties(${half}${suffix} PROPERTIES COST 1000)
+    endif()
+    set_tests_properties(${half}${suffix} PROPERTIES TIMEOUT ${HALF_TIMEOUT} LABELS "${HALF_LABELS}"
+                         ENVIRONMENT "${environment}")
+    math(EXPR number "${number} + 1")
+  endforeach()
+endfunction()
+
 function(gapcheck_add_twin_test target kind test)
   get_property(arguments GLOBAL PROPERTY gapcheck_arguments_${test}_${kind})
   # Random tests take fewer samples, and those of slow_tests.txt are left to the plain programs.
@@ -42,27 +78,8 @@ function(gapcheck_add_twin_test target kind test)
   set(environment ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
       GAPCHECK_STRESS_PAIRS=1000 GAPCHECK_RANDOM_FIELDS=100000 "GTEST_FILTER=-${slow}"
       GAPCHECK_PROGRAM=$<TARGET_FILE:gapcheck>_${kind} CHECK_C_PROGRAM=$<TARGET_FILE:check-c>_${kind})
-  # The longest one runs in two halves at once, before the others. Under its second name it writes results of its own.
-  set(halves ${test})
-  if(test STREQUAL solver)
-    list(APPEND halves solver.second)
-    add_custom_command(TARGET ${target}_${kind} POST_BUILD
-      COMMAND ${CMAKE_COMMAND} -E create_symlink $<TARGET_FILE_NAME:${target}_${kind}> ${target}.second_${kind}
-      WORKING_DIRECTORY $<TARGET_FILE_DIR:${target}_${kind}>)
-  endif()
-  list(LENGTH halves count)
-  set(number 0)
-  foreach(half ${halves})
-    string(REPLACE ${test} ${target} program ${half})
-    add_test(NAME ${half}_${kind} COMMAND $<TARGET_FILE_DIR:${target}_${kind}>/${program}_${kind} ${arguments})
-    set(shard "")
-    if(count GREATER 1)
-      set(shard GTEST_TOTAL_SHARDS=${count} GTEST_SHARD_INDEX=${number})
-      set_tests_properties(${half}_${kind} PROPERTIES COST 1000)
-    endif()
-    set_tests_properties(${half}_${kind} PROPERTIES TIMEOUT 900 LABELS ${kind} ENVIRONMENT "${environment};${shard}")
-    math(EXPR number "${number} + 1")
-  endforeach()
+  gapcheck_add_halves(${target} ${test} _${kind} TIMEOUT 900 LABELS ${kind}
+                      ENVIRONMENT ${environment} ARGUMENTS ${arguments})
 endfunction()
 
 # `out`: the libraries `links` with the names of those replaced that have a twin.
@@ -94,6 +111,7 @@ function(gapcheck_twin_library target kind)
       set_property(TARGET ${twin} PROPERTY ${property} "${value}")
     endif()
   endforeach()
+  set_target_properties(${twin} PROPERTIES CXX_COMPILER_LAUNCHER "${GAPCHECK_TWIN_LAUNCHER}")
   # The plain library has told its warnings.
   target_compile_options(${twin} PRIVATE ${GAPCHECK_TWIN_${kind}} -w)
   if(target IN_LIST GAPCHECK_PLAIN_TWINS AND kind STREQUAL sanitized)
@@ -128,7 +146,7 @@ function(gapcheck_twin_program target kind)
     return()
   endif()
   add_executable(${twin} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${target}>)
-  set_target_properties(${twin} PROPERTIES LINKER_LANGUAGE CXX)
+  set_target_properties(${twin} PROPERTIES LINKER_LANGUAGE CXX CXX_LINKER_LAUNCHER "${GAPCHECK_TWIN_LAUNCHER}")
   # The libraries come first and as a whole: of inline functions that both they and the program's objects hold, the linker
   # takes the first, and that must be the sanitized one.
   gapcheck_twins_below(${target} ${kind} libraries)

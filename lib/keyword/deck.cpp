@@ -100,11 +100,15 @@ Block block_of(FileContext& context, std::string_view line) {
   block.name = upper_case(line.substr(1, std::max<std::size_t>(name_end, 1) - 1));
   if (block.name == "KEYWORD") context.format = format_of(line.substr(name_end), context.format);
   block.format = context.format;
-  const char suffix = block.name.empty() ? '\0' : block.name.back();
+  const std::string_view rest = trimmed(line.substr(name_end));
+  char suffix = block.name.empty() ? '\0' : block.name.back();
+  // It may also be all that follows behind blanks.
+  const bool apart = suffix != '+' && suffix != '-' && suffix != '%' && rest.size() == 1;
+  if (apart) suffix = rest.front();
   if (suffix == '+') block.format = Format::long_fields;
   if (suffix == '-') block.format = Format::standard;
   if (suffix == '%') block.format = Format::i10;
-  if (suffix == '+' || suffix == '-' || suffix == '%') block.name.pop_back();
+  if (!apart && (suffix == '+' || suffix == '-' || suffix == '%')) block.name.pop_back();
   block.file = context.file;
   block.transform = is_node_or_element(block.name) ? context.transforms.mesh : context.transforms.others;
   block.scope = context.scope;

@@ -1,7 +1,9 @@
 #pragma once
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "keyword/card.hpp"
@@ -25,6 +27,12 @@ struct FileContext {
   Format format = Format::standard;
   FileTransforms transforms;
   std::uint32_t scope = Parameters::global, depth = 0;
+};
+
+/// What becomes of a parameter that is defined again.
+struct ParameterDuplicates {
+  std::int64_t flag = 1;  ///< DFLAG of *PARAMETER_DUPLICATION: 1, 3, 5 keep the first value, 2 and 4 take the new one
+  std::map<std::pair<std::string, std::uint32_t>, bool> defined;  ///< by upper-case name and scope: whether _MUTABLE
 };
 
 /// Builds a deck: follows includes, collects parameters, and resolves transformations once everything is read.
@@ -70,6 +78,7 @@ class DeckReader {
   IncludePaths paths_;
   IncludeTransforms transforms_;
   HighestIds highest_;
+  ParameterDuplicates duplicates_;
   std::size_t includes_ = 0;      ///< names of includes so far
   std::set<std::int64_t> cases_;  ///< whose *CASE_BEGIN was read; 0: one without a number
   bool stopped_ = false;          ///< a limit was exceeded: nothing more is read

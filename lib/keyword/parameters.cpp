@@ -112,18 +112,19 @@ const ParameterValue* Parameters::find(std::string_view name, std::uint32_t scop
 
 Result<double> Parameters::evaluate(std::string_view expression, std::uint32_t scope, std::uint32_t order,
                                     Missing* missing) const {
-  return evaluate_expression(expression, [&](std::string_view name) -> Result<double> {
+  return evaluate_expression(expression, [&](std::string_view name) -> Result<ExpressionNumber> {
     const ParameterValue* value = find(name, scope, order);
     // Without a parameter of this name it is a constant.
     const bool constant = value == nullptr && lower_case(name) == "pi";
     if (missing != nullptr && !constant && (value == nullptr || is_unknown(*value)))
       *missing = {std::string(name), value != nullptr};
     if (value == nullptr) return failure("the parameter \"" + std::string(name) + "\" is not defined before this line");
-    if (const auto* integer = std::get_if<std::int64_t>(value)) return static_cast<double>(*integer);
+    if (const auto* integer = std::get_if<std::int64_t>(value))
+      return ExpressionNumber{static_cast<double>(*integer), true};
     if (std::holds_alternative<std::string>(*value))
       return failure("the parameter \"" + std::string(name) + "\" is a text, not a number");
     if (is_unknown(*value)) return failure("the parameter \"" + std::string(name) + "\" could not be read");
-    return std::get<double>(*value);
+    return ExpressionNumber{std::get<double>(*value)};
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/number.hpp"
 #include "keyword/deck_reader.hpp"
+#include "keyword/upper_case.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -10,9 +11,15 @@ namespace {
 /// Reads the definitions of one *PARAMETER block. Each is visible to the following ones of the same block.
 class ParameterBlock {
  public:
-  ParameterBlock(const Deck& deck, Parameters& parameters, const Block& block, Diagnostics& diagnostics)
-      : parameters_(parameters), block_(block), reader_(deck, block_, diagnostics), diagnostics_(diagnostics) {
+  ParameterBlock(const Deck& deck, Parameters& parameters, ParameterDuplicates& duplicates, const Block& block,
+                 Diagnostics& diagnostics)
+      : parameters_(parameters),
+        duplicates_(duplicates),
+        block_(block),
+        reader_(deck, block_, diagnostics),
+        diagnostics_(diagnostics) {
     ++block_.order;
+    mutable_ = block.name.find("_MUTABLE") != std::string::npos;
     scope_ = block.name.find("_LOCAL") != std::string::npos ? block.scope : Parameters::global;
   }
 
@@ -28,23 +35,26 @@ class ParameterBlock {
     const CardLayout& layout = card_layout("PARAMETER_EXPRESSION", "card1");
     while (!reader_.at_end()) {
       const Card card = reader_.next(layout);
+      const bool nameless = card.text(0).empty();
       const auto [type, name] = split(card, 0);
-      if (name.empty()) continue;
-      if (type == 'C') {
-        define(card, name, std::string(card.text(1)));
-        continue;
-      }
-      Parameters::Missing missing;
-      const auto value = parameters_.evaluate(card.text(1), block_.scope, block_.order, &missing);
-      if (value) {
-        define_number(card, type, name, value.value());
-        continue;
-      }
-      if (missing.name.empty())
-        report(card, value.error().message);
-      else if (!missing.told)
-        report_missing_parameter(missing.name, reader_.file(), card.line(), "*" + block_.name, diagnostics_);
-      if (!missing.name.empty()) define(card, name, Parameters::unknown());
+      std::string text(card.text(1));
+      if (nameless && !text.empty()) report(card, "the line continues an expression, but there is none before it");
+      // Lines without a name continue the expression.
+      while (!reader_.at_end() && reader_.peek(layout).text(0).empty()) text += reader_.next(layout).text(1);
+      if (!name.empty()) define_expression(card, type, name, text);
+    }
+  }
+
+  /// *PARAMETER_DUPLICATION: holds from here on.
+  void read_duplication() {
+    const CardLayout& layout = card_layout("PARAMETER_DUPLICATION", "card1");
+    while (!reader_.at_end()) {
+      const Card card = reader_.next(layout);
+      const std::int64_t flag = card.integer(0);
+      if (flag < 0 || flag > 5)
+        report(card, "DFLAG = " + std::to_string(flag) + " is not one of 1 to 5");
+      else
+        duplicates_.flag = flag == 0 ? 1 : flag;
     }
   }
 
@@ -83,6 +93,18 @@ class ParameterBlock {
       define(card, name, type == 'I' ? ParameterValue(integer) : ParameterValue(real));
   }
 
+  void define_expression(const Card& card, char type, std::string_view name, const std::string& text) {
+    if (type == 'C') return define(card, name, text);
+    Parameters::Missing missing;
+    const auto value = parameters_.evaluate(text, block_.scope, block_.order, &missing);
+    if (value) return define_number(card, type, name, value.value());
+    if (missing.name.empty())
+      report(card, value.error().message);
+    else if (!missing.told)
+      report_missing_parameter(missing.name, reader_.file(), card.line(), "*" + block_.name, diagnostics_);
+    if (!missing.name.empty()) define(card, name, Parameters::unknown());
+  }
+
   void define_number(const Card& card, char type, std::string_view name, double value) {
     if (type == 'R') return define(card, name, value);
     if (std::abs(value) > 9.0e15) return report(card, "the value of an integer parameter is too large");
@@ -93,10 +115,35 @@ class ParameterBlock {
   }
 
   void define(const Card& card, std::string_view name, ParameterValue value) {
+    if (keeps_first(card, name, value)) return;
     if (parameters_.define(name, std::move(value), scope_, block_.order - 1)) return;
     report(card, "the parameter \"" + std::string(name) + "\" is " +
                      "a number (for type I a whole one), which the value of --param is not" +
                      "; the value of the deck is used");
+  }
+
+  /// Whether the name has a value in this scope that the new one does not replace. A warning if they differ, or an
+  /// error.
+  bool keeps_first(const Card& card, std::string_view name, const ParameterValue& value) {
+    const auto [found, is_new] = duplicates_.defined.try_emplace({upper_case(name), scope_}, mutable_);
+    if (is_new || found->second) return false;
+    const std::int64_t flag = duplicates_.flag;
+    const bool keeps = flag != 2 && flag != 4;
+    const ParameterValue* first = parameters_.find(name, scope_, block_.order);
+    if (flag > 3 || first == nullptr || *first == value || Parameters::is_unknown(*first) ||
+        Parameters::is_unknown(value) || parameters_.given(name) != nullptr)
+      return keeps;
+    const std::string problem = "the parameter \"" + std::string(name) + "\" is defined again with another value; ";
+    if (flag == 3)
+      report(card, problem + "DFLAG = 3 of *PARAMETER_DUPLICATION forbids it");
+    else
+      diagnostics_.warning(
+          reader_.file(), card.line(),
+          "*" + block_.name + ": " + problem +
+              (keeps ? "the first value counts, as in LS-DYNA; remove one definition, or make the first "
+                       "one *PARAMETER_MUTABLE"
+                     : "the new value counts (DFLAG = 2 of *PARAMETER_DUPLICATION)"));
+    return keeps;
   }
 
   void report(const Card& card, const std::string& problem) {
@@ -104,18 +151,21 @@ class ParameterBlock {
   }
 
   Parameters& parameters_;
+  ParameterDuplicates& duplicates_;
   Block block_;
   CardReader reader_;
   Diagnostics& diagnostics_;
   std::uint32_t scope_ = Parameters::global;
+  bool mutable_ = false;
 };
 
 }  // namespace
 
 void DeckReader::read_parameters(const Block& block) {
-  if (block.name == "PARAMETER_DUPLICATION") return;  // of several definitions the last one before a use counts
-  ParameterBlock reader(deck_, deck_.parameters_, block, diagnostics_);
-  if (block.name.starts_with("PARAMETER_EXPRESSION"))
+  ParameterBlock reader(deck_, deck_.parameters_, duplicates_, block, diagnostics_);
+  if (block.name == "PARAMETER_DUPLICATION")
+    reader.read_duplication();
+  else if (block.name.starts_with("PARAMETER_EXPRESSION"))
     reader.read_expressions();
   else
     reader.read_pairs(block.name == "PARAMETER_TYPE" ? 1 : 4);

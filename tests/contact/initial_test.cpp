@@ -320,10 +320,12 @@ TEST(Initial, SquareEdgesEndTheSurface) {
   // SHLEDG is read with SOFT = 2 alone.
   scene.model.contacts[0].shledg = 1;
   EXPECT_EQ(scene.run().penetrations.size(), 3U);
-  scene.model.contacts[0].srnde = 1;
-  const InitialState state = scene.run();
-  ASSERT_EQ(state.penetrations.size(), 2U);
-  for (const Penetration& p : state.penetrations) EXPECT_NEAR(p.depth, 2, 1e-12);
+  for (const int srnde : {1, 2}) {
+    scene.model.contacts[0].srnde = srnde;
+    const InitialState state = scene.run();
+    ASSERT_EQ(state.penetrations.size(), 2U) << srnde;
+    for (const Penetration& p : state.penetrations) EXPECT_NEAR(p.depth, 2, 1e-12);
+  }
 }
 
 TEST(Initial, SquareEdgesEndTheSurfaceAtCornersToo) {

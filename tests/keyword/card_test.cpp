@@ -179,13 +179,13 @@ TEST(Card, ExpressionsWithParametersInFields) {
 
 TEST(Card, ExpressionsForWholeNumbers) {
   TextDeck deck("*PARAMETER\n" + pair("R f", "0.07") + pair("I n", "7") +
-                "\n*NODE\n&f*100  \n&n/2    \n&n*1e30 \n&f/0    \n&n+     \n&n+&no  \n");
+                "\n*NODE\n&f*100  \n&n/2.    \n&n*1e30 \n&f/0    \n&n+     \n&n+&no  \n");
   CardReader reader = deck.reader("NODE");
   const CardLayout& node = card_layout("NODE", "card1");
   for (const std::int64_t expected : {7, 0, 0, 0, 0, 0}) EXPECT_EQ(reader.next(node).integer("nid"), expected);
   const std::string all = reports(deck.diagnostics);
   EXPECT_EQ(count_errors(deck.diagnostics), 5u) << all;
-  for (const char* part : {":5: *NODE, field nid: \"&n/2\" is not a whole number", ":6: ", ":7: ", "divides by zero",
+  for (const char* part : {":5: *NODE, field nid: \"&n/2.\" is not a whole number", ":6: ", ":7: ", "divides by zero",
                            ":8: ", ":9: *NODE, field nid: ", "\"no\" is not defined"})
     EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
 }

@@ -29,6 +29,15 @@ TEST(Deck, CarriageReturnsSuffixesAndByteOrderMark) {
   EXPECT_EQ(deck.block("NODE").body, "1\r\n");
 }
 
+TEST(Deck, SuffixesBehindBlanks) {
+  TextDeck deck("*KEYWORD LONG=Y\n*NODE -\n*ELEMENT_SHELL \t% \n*PART  - a title\n*NODE_X +\n");
+  EXPECT_EQ(names(deck.deck), (std::vector<std::string>{"KEYWORD", "NODE", "ELEMENT_SHELL", "PART", "NODE_X"}));
+  EXPECT_EQ(deck.block("NODE").format, Format::standard);
+  EXPECT_EQ(deck.block("ELEMENT_SHELL").format, Format::i10);
+  EXPECT_EQ(deck.block("PART").format, Format::long_fields) << "a sign that begins something else";
+  EXPECT_EQ(deck.block("NODE_X").format, Format::long_fields);
+}
+
 TEST(Deck, DataBeforeTheFirstKeyword) {
   TextDeck deck("$ fine\n\n 1 2 3\n more\n*NODE\n");
   EXPECT_EQ(count_errors(deck.diagnostics), 1u);

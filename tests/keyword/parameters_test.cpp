@@ -96,6 +96,50 @@ TEST(Parameters, ReadFromDecks) {
   EXPECT_EQ(reports(deck.diagnostics), "");
 }
 
+/// The value of `t` behind these lines, and what is reported.
+std::pair<double, std::string> value_behind(const std::string& lines) {
+  TextDeck deck("*KEYWORD\n" + lines + "*NODE\n*END\n");
+  const auto* value = deck.deck.parameters().find("t", 0, 1000);
+  return {value == nullptr ? -1 : number(value), reports(deck.diagnostics)};
+}
+
+TEST(Parameters, LinesWithoutANameContinueAnExpression) {
+  const std::string blank(10, ' '), head = "*PARAMETER_EXPRESSION\nR t       ";
+  EXPECT_EQ(value_behind(head + "1.0\n" + blank + "+1.0\n"), std::pair(2.0, std::string()));
+  EXPECT_EQ(value_behind(head + "1.0+\n" + blank + "max(2.0,\n$ comment\n" + blank + "5.0)\nR u       t\n"),
+            std::pair(6.0, std::string()));
+  EXPECT_EQ(value_behind("*PARAMETER_EXPRESSION\nR t,1.0\n,+1.0\n"), std::pair(2.0, std::string()));
+  EXPECT_NE(value_behind("*PARAMETER_EXPRESSION\n" + blank + "1.0\n" + "R t       2.\n")
+                .second.find(
+                    "deck.k:3: *PARAMETER_EXPRESSION: the line continues an expression, but there is none before it"),
+            std::string::npos);
+}
+
+TEST(Parameters, OfSeveralDefinitionsDflagTellsWhichOneCounts) {
+  const std::string one = "*PARAMETER\nR t, 1.\n", two = "*PARAMETER\nR T, 2.\n";
+  const auto [value, report] = value_behind(one + two);
+  EXPECT_EQ(value, 1);
+  EXPECT_NE(
+      report.find("deck.k:5: *PARAMETER: the parameter \"T\" is defined again with another value; the first value "
+                  "counts"),
+      std::string::npos)
+      << report;
+  const auto with = [&](int flag) {
+    return value_behind("*PARAMETER_DUPLICATION\n" + std::to_string(flag) + "\n" + one + two);
+  };
+  EXPECT_EQ(with(0), with(1)) << "the default";
+  EXPECT_EQ(with(1).first, 1);
+  EXPECT_EQ(with(2).first, 2);
+  EXPECT_NE(with(2).second.find("the new value counts"), std::string::npos);
+  EXPECT_EQ(with(3).first, 1);
+  EXPECT_NE(with(3).second.find("DFLAG = 3 of *PARAMETER_DUPLICATION forbids it"), std::string::npos);
+  EXPECT_EQ(with(4), std::pair(2.0, std::string()));
+  EXPECT_EQ(with(5), std::pair(1.0, std::string()));
+  EXPECT_NE(with(6).second.find("DFLAG = 6 is not one of 1 to 5"), std::string::npos);
+  EXPECT_EQ(value_behind("*PARAMETER_MUTABLE\nR t, 1.\n" + two), std::pair(2.0, std::string()));
+  EXPECT_EQ(value_behind(one + one), std::pair(1.0, std::string())) << "the same value again";
+}
+
 TEST(Parameters, LocalOnesStayInTheirFileAndItsIncludes) {
   const TemporaryDirectory directory;
   directory.write("inner.k", "*PARAMETER_LOCAL\n" + pair("R a", "2") + "\n*PARAMETER\n" + pair("R shared", "5") +

@@ -206,7 +206,7 @@ void ContactMaker::optional_values(Contact& c, const ContactKind&) {
   if (random_.chance(0.4)) c.ignore = random_.pick(0, 2);
   if (random_.chance(0.1)) c.tcso = 1;
   if (random_.chance(0.1)) c.shledg = random_.pick(1, 2);
-  if (random_.chance(0.08)) c.srnde = 1;
+  if (random_.chance(0.08)) c.srnde = random_.chance(0.5) ? 1 : 2;
   if (random_.chance(0.08)) c.ignroff = random_.pick(1, 3);
 }
 

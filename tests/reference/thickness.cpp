@@ -57,7 +57,7 @@ Rules::Rules(const Contact& c, const Scene& scene)
   shlthk = counted_shells(*this);
   // 3.3
   const bool square = soft_2 && (c.shledg == 1 || (c.shledg == 0 && controls.shledg == 1));
-  free_edges_end = c.mortar || c.srnde == 1 || square;
+  free_edges_end = c.mortar || c.srnde == 1 || c.srnde == 2 || square;
 }
 
 double uncounted_thickness(const Scene& scene, const Element& element) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/quad.hpp"
 #include "contact/surface/segment_quality.hpp"
@@ -109,15 +108,7 @@ void ElementBounds::for_each_element(std::span<const NodeIndex> moved, const Vis
 
 double ElementBounds::least_step() {
   if (least_step_) return *least_step_;
-  double smallest = std::numeric_limits<double>::infinity();
-  const auto take = [&](model::ElementKind kind, std::size_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) smallest = std::min(smallest, steps_(kind, i, deck_));
-  };
-  const model::Mesh& mesh = model_.mesh;
-  take(model::ElementKind::shell, mesh.shells.size());
-  take(model::ElementKind::solid, mesh.solids.size());
-  take(model::ElementKind::thick_shell, mesh.thick_shells.size());
-  take(model::ElementKind::beam, mesh.beams.size());
+  const double smallest = steps_.smallest(deck_);
   return least_step_.emplace(std::isfinite(smallest) ? limits_.step * smallest : 0);
 }
 

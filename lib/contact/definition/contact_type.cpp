@@ -149,10 +149,10 @@ bool knows_ignore(const ContactType& type) {
 namespace {
 
 /// Only segment-based contact reads SHLEDG (contact rules, section 3.3); 2 on the contact is round, whatever the
-/// control card says. SRNDE = 1 does not extend edges either. Mortar segments meet where they overlap in projection:
-/// nothing beyond a free edge counts.
+/// control card says. SRNDE = 1 (round) and 2 (square) do not extend edges either. Mortar segments meet where they
+/// overlap in projection: nothing beyond a free edge counts.
 bool has_square_edges(const model::Contact& contact, const ContactType& type, const model::Controls& controls) {
-  if (type.family == Family::mortar || contact.srnde == 1) return true;
+  if (type.family == Family::mortar || contact.srnde == 1 || contact.srnde == 2) return true;
   const std::int64_t edges = contact.shledg != 0 ? contact.shledg : controls.shledg;
   return type.pairing == Pairing::segments && edges == 1;
 }

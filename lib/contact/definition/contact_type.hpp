@@ -84,7 +84,7 @@ struct ContactSettings {
   std::int64_t snlog = 0;
   std::int64_t shlthk = 0;  ///< 0 none, 1 deformable only, 2 all; automatic, single-surface and constraint types: 2
   bool thickness_limit = false;     ///< single-surface types with SSTHK = 0
-  bool square_edges = false;        ///< shell surfaces end at their free edges: SRNDE = 1; SOFT = 2: SHLEDG = 1
+  bool square_edges = false;        ///< shell surfaces end at their free edges: SRNDE = 1, 2; SOFT = 2: SHLEDG = 1
   bool mid_surface_offset = false;  ///< CNTCO or SHLOFF: NLOC and *ELEMENT_SHELL_OFFSET move the contact surface
 };
 [[nodiscard]] ContactSettings settings(const model::Contact& contact, const ContactType& type,

@@ -128,6 +128,19 @@ double ElementSteps::operator()(model::ElementKind kind, std::uint32_t i, const 
   }
 }
 
+double ElementSteps::smallest(const std::vector<Vector>& x) const {
+  double least = std::numeric_limits<double>::infinity();
+  const auto take = [&](model::ElementKind kind, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) least = std::min(least, (*this)(kind, i, x));
+  };
+  const model::Mesh& mesh = model_.mesh;
+  take(model::ElementKind::shell, mesh.shells.size());
+  take(model::ElementKind::solid, mesh.solids.size());
+  take(model::ElementKind::thick_shell, mesh.thick_shells.size());
+  take(model::ElementKind::beam, mesh.beams.size());
+  return least;
+}
+
 double shell_sound_speed(const model::Material& material, double density, std::int64_t isdo) {
   if (isdo == 2) return beam_sound_speed(material, density);
   return root(material.young / (1 - material.poisson * material.poisson), density);

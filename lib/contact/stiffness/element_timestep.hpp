@@ -43,6 +43,8 @@ class ElementSteps {
   explicit ElementSteps(const model::Model& model) : model_(model), speeds_(model) {}
   /// `element`: position in the array of its kind. Infinity: it has none.
   [[nodiscard]] double operator()(model::ElementKind kind, std::uint32_t element, const std::vector<Vector>& x) const;
+  /// The smallest step of all elements. Infinity: none has one.
+  [[nodiscard]] double smallest(const std::vector<Vector>& x) const;
 
  private:
   const model::Model& model_;

@@ -32,10 +32,11 @@ class Butterworth {
   }
 
   /// Starts as if the first value had lasted for ever.
-  template <class Range>
-  void run(Range&& values) const {
-    double x1 = *std::ranges::begin(values), x2 = x1, y1 = x1, y2 = x1;
-    for (double& value : values) {
+  template <class Iterator>
+  void run(Iterator begin, Iterator end) const {
+    double x1 = *begin, x2 = x1, y1 = x1, y2 = x1;
+    for (; begin != end; ++begin) {
+      double& value = *begin;
       const double y = a0_ * (value + 2 * x1 + x2) + b1_ * y1 + b2_ * y2;
       x2 = x1;
       x1 = value;
@@ -93,8 +94,8 @@ Result<Curve> filtered(const Curve& curve, const SaeFilter& filter) {
   const auto run_up = static_cast<std::size_t>(std::min(intervals, std::ceil(run_up_periods * intervals / periods)));
   std::vector<double> values = with_run_up(uniform_samples(curve, begin, end, count), run_up);
   const Butterworth butterworth(filter.channel_class, seconds / intervals);
-  butterworth.run(values);
-  butterworth.run(values | std::views::reverse);
+  butterworth.run(values.begin(), values.end());
+  butterworth.run(values.rbegin(), values.rend());
   Curve result = curve;
   result.times.clear();
   result.values.clear();

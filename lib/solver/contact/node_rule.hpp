@@ -7,6 +7,7 @@
 
 namespace gapcheck::solver {
 
+struct State;
 struct SegmentContact;
 
 /// Factor of the stiffness of all springs of a contact in the last cycle and in this one. What springs store for more

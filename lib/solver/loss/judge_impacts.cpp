@@ -290,7 +290,7 @@ class GroupJudge {
       nodes.push_back(impact.node);
     }
     std::ranges::sort(nodes);
-    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const NodeIndex node : nodes) {
       if (bodies_.rigid(node) != nullptr) return;
       mass += scene_.state.mass[node.value];

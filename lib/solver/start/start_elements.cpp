@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "contact/surface/element_fate.hpp"
 #include "contact/surface/segment_quality.hpp"
@@ -79,7 +80,8 @@ std::vector<StartElements::Key> StartElements::elements_at(std::span<const NodeI
 }
 
 StartElement StartElements::measure(const Key& key) const {
-  const auto& [kind, i] = key;
+  const auto kind = key.first;
+  const auto i = key.second;
   const model::Mesh& mesh = model_.mesh;
   const std::vector<Vector>& deck = mesh.nodes.x;
   StartElement e;
@@ -184,19 +186,6 @@ StartShapes StartElements::shapes_at(std::span<const NodeIndex> moved) {
          [](const StartElement& e) { return -e.after.step; });
   }
   return shapes;
-}
-
-double StartElements::smallest_step(const std::vector<Vector>& x) const {
-  double least = std::numeric_limits<double>::infinity();
-  const auto take = [&](ElementKind kind, std::size_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) least = std::min(least, step_(kind, i, x));
-  };
-  const model::Mesh& mesh = model_.mesh;
-  take(ElementKind::shell, mesh.shells.size());
-  take(ElementKind::solid, mesh.solids.size());
-  take(ElementKind::thick_shell, mesh.thick_shells.size());
-  take(ElementKind::beam, mesh.beams.size());
-  return least;
 }
 
 }  // namespace gapcheck::solver

@@ -24,7 +24,7 @@ class StartElements {
   /// Sums over the elements at some of these nodes; call list_changed() before.
   [[nodiscard]] StartShapes shapes_at(std::span<const NodeIndex> moved);
   /// Smallest step of all elements on these coordinates.
-  [[nodiscard]] double smallest_step(const std::vector<Vector>& x) const;
+  [[nodiscard]] double smallest_step(const std::vector<Vector>& x) const { return step_.smallest(x); }
 
  private:
   using Key = std::pair<model::ElementKind, std::uint32_t>;

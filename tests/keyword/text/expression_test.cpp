@@ -10,9 +10,10 @@
 namespace gapcheck::keyword::expression_test {
 namespace {
 
-Result<double> names(std::string_view name) {
-  if (name == "thk") return 1.5;
-  if (name == "e") return 210000.0;
+Result<ExpressionNumber> names(std::string_view name) {
+  if (name == "thk") return ExpressionNumber{1.5};
+  if (name == "e") return ExpressionNumber{210000};
+  if (name == "n") return ExpressionNumber{3, true};
   return Diagnostic{Severity::error, {}, 0, "unknown name"};
 }
 
@@ -39,6 +40,30 @@ TEST(Expression, Precedence) {
   EXPECT_EQ(value("7%4"), 3);
   EXPECT_EQ(value("10-2-3"), 5);
   EXPECT_EQ(value(" 1 +\t2 "), 3);
+}
+
+TEST(Expression, IntegersDivideAsSuch) {
+  EXPECT_EQ(value("2/5"), 0);
+  EXPECT_EQ(value("2.0/5"), 0.4);
+  EXPECT_EQ(value("2/5."), 0.4);
+  EXPECT_EQ(value("2e0/5"), 0.4);
+  EXPECT_EQ(value("-7/2"), -3);
+  EXPECT_EQ(value("(-7)/2"), -3);
+  EXPECT_EQ(value("7/-2"), -3);
+  EXPECT_EQ(value("1.0*n/2"), 1.5);
+  EXPECT_EQ(value("n/2*1.0"), 1);
+  EXPECT_EQ(value("e/n"), 70000);
+  EXPECT_EQ(value("(n+1)/3"), 1);
+  EXPECT_EQ(value("(n+1.)/8"), 0.5);
+  EXPECT_EQ(value("n**2/2"), 4);
+  EXPECT_EQ(value("max(n,4)/3"), 1);
+  EXPECT_EQ(value("max(n,4.)/8"), 0.5);
+  EXPECT_EQ(value("nint(2.6)/2"), 1);
+  EXPECT_EQ(value("anint(2.6)/2"), 1.5);
+  EXPECT_EQ(value("float(n)/2"), 1.5);
+  EXPECT_EQ(value("abs(-n)/2+mod(7,4)/2+sign(n,-1)/2"), 1 + 1 - 1);
+  EXPECT_EQ(value("sqrt(9)/2"), 1.5);
+  EXPECT_EQ(value("9007199254740991/2"), 4503599627370495) << "without rounding up";
 }
 
 TEST(Expression, NumbersAndNames) {
