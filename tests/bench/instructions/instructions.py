@@ -4,7 +4,7 @@
     instructions.py GAPCHECK            fails if a count has changed by more than 3 %, and names the functions that changed
     instructions.py GAPCHECK --update   writes instructions.json
 
-GAPCHECK is the program of the release build as ./test makes it: one file per room. Counts are those of valgrind's callgrind on
+GAPCHECK is the program of the release build as ./test makes it: rooms in large units. Counts are those of valgrind's callgrind on
 one thread; they do not depend on the load of the machine, and hardly on the machine. A change that is meant writes the
 record anew, in the same commit.
 """
