@@ -23,6 +23,16 @@ class ParameterBlock {
     scope_ = block.name.find("_LOCAL") != std::string::npos ? block.scope : Parameters::global;
   }
 
+  void read() {
+    if (block_.name == "PARAMETER_DUPLICATION")
+      read_duplication();
+    else if (block_.name.starts_with("PARAMETER_EXPRESSION"))
+      read_expressions();
+    else
+      read_pairs(block_.name == "PARAMETER_TYPE" ? 1 : 4);
+  }
+
+ private:
   void read_pairs(std::size_t pairs) {
     const CardLayout& layout = card_layout("PARAMETER", "card1");
     while (!reader_.at_end()) {
@@ -58,7 +68,6 @@ class ParameterBlock {
     }
   }
 
- private:
   /// Type letter and name; an empty name if there is none.
   std::pair<char, std::string_view> split(const Card& card, std::size_t field) {
     const auto text = card.text(field);
@@ -162,13 +171,7 @@ class ParameterBlock {
 }  // namespace
 
 void DeckReader::read_parameters(const Block& block) {
-  ParameterBlock reader(deck_, deck_.parameters_, duplicates_, block, diagnostics_);
-  if (block.name == "PARAMETER_DUPLICATION")
-    reader.read_duplication();
-  else if (block.name.starts_with("PARAMETER_EXPRESSION"))
-    reader.read_expressions();
-  else
-    reader.read_pairs(block.name == "PARAMETER_TYPE" ? 1 : 4);
+  ParameterBlock(deck_, deck_.parameters_, duplicates_, block, diagnostics_).read();
 }
 
 }  // namespace gapcheck::keyword
