@@ -13,8 +13,10 @@ set(GAPCHECK_TWIN_threads -O0 -g1 -UNDEBUG -fsanitize=thread -fno-omit-frame-poi
 find_program(GAPCHECK_TWIN_COMPILER clang++-14)
 set(GAPCHECK_TWIN_LAUNCHER "")
 if(GAPCHECK_TWIN_COMPILER)
-  string(STRIP "${GAPCHECK_CCACHE} ${GAPCHECK_TWIN_COMPILER}" command)
-  string(REPLACE "GAPCHECK_CCACHE-NOTFOUND " "" command "${command}")
+  set(command ${GAPCHECK_TWIN_COMPILER})
+  if(GAPCHECK_CCACHE)
+    set(command "${GAPCHECK_CCACHE} ${command}")
+  endif()
   set(GAPCHECK_TWIN_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/use_instead.sh "${command}")
 endif()
 # Compiled file by file, so that no file misses an include.
@@ -42,7 +44,7 @@ function(gapcheck_twin_test target kind test)
   endif()
 endfunction()
 
-# gapcheck_add_halves(TARGET TEST SUFFIX PROPERTY VALUE…): test TEST+SUFFIX that runs program TARGET+SUFFIX. The longest
+# gapcheck_add_halves(TARGET TEST SUFFIX TIMEOUT seconds [LABELS …] [ENVIRONMENT …] [ARGUMENTS …]): test TEST+SUFFIX that runs program TARGET+SUFFIX. The longest
 # one runs in two halves at once, before the others. Under its second name it writes results of its own.
 function(gapcheck_add_halves target test suffix)
   cmake_parse_arguments(HALF "" "TIMEOUT" "LABELS;ENVIRONMENT;ARGUMENTS" ${ARGN})
