@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "audit/repair/deck_edits.hpp"
 #include "base/file_writer.hpp"
 
 namespace gapcheck::app {
@@ -40,19 +41,16 @@ Status choose_places(const keyword::Deck& deck, const std::string& main, const C
   return {};
 }
 
-Status write_files(const keyword::Deck& deck, std::span<const audit::ChangedLines> files,
+Status write_texts(const keyword::Deck& deck, const std::map<std::string, std::string>& texts,
                    std::span<const FixedFile> places) {
   if (Status same = deck.unchanged(); !same.ok()) return same;
   std::vector<FileWriter> writers;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string& path = places[i].written;
+  for (const FixedFile& place : places) {
     std::error_code error;
-    fs::create_directories(fs::path(path).parent_path(), error);
-    const std::string_view bytes = deck.file(files[i].file).bytes;
-    const keyword::LineIndex index(bytes);
-    auto writer = FileWriter::create(path);
+    fs::create_directories(fs::path(place.written).parent_path(), error);
+    auto writer = FileWriter::create(place.written);
     if (!writer) return writer.error();
-    writer.value().write(keyword::with_lines(bytes, index, files[i].edits));
+    writer.value().write(texts.at(place.path));
     if (Status written = writer.value().finish(); !written.ok()) return written;
     writers.push_back(std::move(writer).value());
   }
@@ -60,6 +58,12 @@ Status write_files(const keyword::Deck& deck, std::span<const audit::ChangedLine
   for (FileWriter& writer : writers)
     if (Status written = writer.commit(); !written.ok()) return written;
   return {};
+}
+
+Status write_files(const keyword::Deck& deck, std::span<const audit::ChangedLines> files,
+                   std::span<const FixedFile> places) {
+  if (Status same = deck.unchanged(); !same.ok()) return same;
+  return write_texts(deck, audit::changed_texts(deck, files), places);
 }
 
 }  // namespace gapcheck::app

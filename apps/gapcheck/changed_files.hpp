@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,8 +23,12 @@ struct ChangedDirectory {
 [[nodiscard]] Status choose_places(const keyword::Deck& deck, const std::string& main,
                                    const ChangedDirectory& directory, std::vector<FixedFile>& changed);
 
-/// Writes the changed files, parallel to `places`: all of them or none, unless a name cannot be taken over at the end.
-/// Every byte outside the lines that change is that of the deck.
+/// Writes the changed files, whose texts are given by path as read, to their places: all of them or none, unless a name
+/// cannot be taken over at the end.
+[[nodiscard]] Status write_texts(const keyword::Deck& deck, const std::map<std::string, std::string>& texts,
+                                 std::span<const FixedFile> places);
+
+/// The same from the lines that change. Every byte outside of them is that of the deck.
 [[nodiscard]] Status write_files(const keyword::Deck& deck, std::span<const audit::ChangedLines> files,
                                  std::span<const FixedFile> places);
 

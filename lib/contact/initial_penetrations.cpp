@@ -85,7 +85,8 @@ class SideSearch {
     PairScene& scene = side->scene();
     scene.tolerance = of_.options.tolerance;
     scene.mode = of_.options.mode;
-    std::vector<Hit> hits = search(scene, side->tracked());
+    std::vector<Hit> hits;
+    if (!type.only_edges()) hits = search(scene, side->tracked());
     if (type.by_segments())
       std::erase_if(hits, [&](const Hit& hit) { return !hit.in_band || only_touches(scene, hit); });
     list_.keep_one_per_node(hits, nodes, of_.model.mesh.nodes.id);

@@ -290,11 +290,17 @@ std::string_view Card::text(std::size_t field) const {
 }
 
 CardReader::CardReader(const Deck& deck, const Block& block, Diagnostics& diagnostics)
-    : deck_(&deck), block_(&block), diagnostics_(&diagnostics), rest_(block.body), next_line_(block.line + 1) {
+    : deck_(&deck),
+      block_(&block),
+      diagnostics_(&diagnostics),
+      rest_(block.body),
+      line_(block.line),
+      next_line_(block.line + 1) {
   advance();
 }
 
 void CardReader::advance() {
+  if (!end_) last_line_ = line_;
   while (!rest_.empty()) {
     const auto end = rest_.find('\n');
     current_ = rest_.substr(0, end);

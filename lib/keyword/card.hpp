@@ -100,6 +100,8 @@ class CardReader {
   /// The next data line without its line end; empty at the end.
   [[nodiscard]] std::string_view peek() const;
   [[nodiscard]] std::uint32_t peek_line() const;
+  /// Of the data line that was passed last; that of the keyword before the first.
+  [[nodiscard]] std::uint32_t last_line() const { return last_line_; }
   /// The next data line, split by the layout.
   Card next(const CardLayout& layout);
   /// The next data line, split by the layout but not consumed.
@@ -116,7 +118,7 @@ class CardReader {
   const Block* block_;
   Diagnostics* diagnostics_;
   std::string_view rest_, current_;
-  std::uint32_t line_ = 0, next_line_ = 0;
+  std::uint32_t line_ = 0, next_line_ = 0, last_line_ = 0;
   bool end_ = false;
 };
 

@@ -234,6 +234,8 @@ Result<Deck> DeckReader::finish() {
 
 /// The file, which the deck then keeps.
 Result<std::shared_ptr<KeywordFile>> DeckReader::open_file(const std::string& path, const std::string& canonical) {
+  if (options_.replaced != nullptr && options_.replaced->contains(path))
+    return deck_.read_.emplace_back(std::make_shared<KeywordFile>(options_.replaced->at(path)));
   FileCache& cache = options_.cache != nullptr ? *options_.cache : own_;
   const std::uint64_t shared = cache.shared();
   auto file = cache.open(path, canonical);

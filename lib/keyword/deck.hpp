@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -58,6 +59,8 @@ struct ReadOptions {
   /// How many bytes of files that were included before are read again, or ten times those of the different files.
   std::uint64_t max_repeated_bytes = 50'000'000;
   FileCache* cache = nullptr;  ///< files shared with other decks; must outlive the reading
+  /// Texts to read in place of files, by path as opened; must outlive the deck.
+  const std::map<std::string, std::string>* replaced = nullptr;
 };
 
 /// An include that no directory has.

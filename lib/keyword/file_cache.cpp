@@ -17,6 +17,7 @@ const std::vector<Mark>& KeywordFile::marks() {
 }
 
 void KeywordFile::drop(std::string_view part) {
+  if (!text_.empty()) return;
   const auto begin = static_cast<std::size_t>(part.data() - bytes().data());
   file_.release(begin, begin + part.size());
   complete_ = false;

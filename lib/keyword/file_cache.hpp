@@ -25,16 +25,19 @@ struct FileScan {
 class KeywordFile {
  public:
   KeywordFile(FileBytes file, std::shared_ptr<FileScan> scan) : file_(std::move(file)), scan_(std::move(scan)) {}
-  [[nodiscard]] std::string_view bytes() const { return file_.bytes(); }
+  /// A text in place of a file; it must outlive this.
+  explicit KeywordFile(std::string_view text) : text_(text), scan_(std::make_shared<FileScan>()) {}
+  [[nodiscard]] std::string_view bytes() const { return text_.empty() ? file_.bytes() : text_; }
   [[nodiscard]] const std::vector<Mark>& marks();
   /// Frees the memory of a part of the bytes, which must not be used any more.
   void drop(std::string_view part);
   [[nodiscard]] bool complete() const { return complete_; }
   /// An error if the file on disk has been written to since it was read.
-  [[nodiscard]] Status unchanged() const { return file_.unchanged(); }
+  [[nodiscard]] Status unchanged() const { return text_.empty() ? file_.unchanged() : Status(); }
 
  private:
   FileBytes file_;
+  std::string_view text_;
   std::shared_ptr<FileScan> scan_;
   bool complete_ = true;
 };

@@ -110,8 +110,22 @@ std::string with_number(const Card& card, std::size_t field, double value) {
   // A blank before the number is worth a digit, for less strict readers.
   std::string number = number_text(value, card.free_format() ? 0 : cell.width - 1);
   if (number.empty()) number = number_text(value, cell.width);
-  if (number.empty()) return std::string(line);
-  return card.free_format() ? between_commas(card, line, field, number) : in_columns(std::string(line), cell, number);
+  return number.empty() ? std::string(line) : with_text(card, field, number);
+}
+
+std::string with_text(const Card& card, std::size_t field, std::string_view text) {
+  const std::string_view line = card.raw_line();
+  if (card.free_format()) return between_commas(card, line, field, std::string(text));
+  const Cell cell = card.cell(field);
+  return text.size() > cell.width ? std::string(line) : in_columns(std::string(line), cell, std::string(text));
+}
+
+std::string card_line(const CardLayout& layout, Format format,
+                      std::span<const std::pair<std::string_view, std::string>> fields) {
+  std::string line;
+  for (const auto& [name, text] : fields)
+    line = in_columns(std::move(line), locate(layout, format, layout.index(name)), text);
+  return line;
 }
 
 LineIndex::LineIndex(std::string_view bytes) : bytes_(bytes) {
@@ -141,7 +155,11 @@ std::string with_lines(std::string_view bytes, const LineIndex& index, std::span
     const std::string_view line = index.line(edit.line);
     const auto begin = static_cast<std::size_t>(line.data() - bytes.data());
     result.append(bytes.substr(copied, begin - copied));
-    result += edit.text;
+    const bool returns = bytes.substr(begin + line.size()).starts_with('\r');
+    for (const char c : edit.text) {
+      if (c == '\n' && returns) result += '\r';
+      result += c;
+    }
     copied = begin + line.size();
   }
   result.append(bytes.substr(copied));

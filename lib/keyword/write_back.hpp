@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.hpp"
@@ -25,6 +26,13 @@ namespace gapcheck::keyword {
 /// all leaves the line unchanged.
 [[nodiscard]] std::string with_number(const Card& card, std::size_t field, double value);
 
+/// The same with any text that a field can hold; trimmed. Unchanged if the text is wider than the field.
+[[nodiscard]] std::string with_text(const Card& card, std::size_t field, std::string_view text);
+
+/// A line of a card with some of its fields, in the format of a block; the other fields are blank.
+[[nodiscard]] std::string card_line(const CardLayout& layout, Format format,
+                                    std::span<const std::pair<std::string_view, std::string>> fields);
+
 /// Finds the lines of a file by number. The bytes must outlive it. 8 bytes per line.
 class LineIndex {
  public:
@@ -38,10 +46,10 @@ class LineIndex {
   std::vector<std::size_t> starts_;
 };
 
-/// Another text for one line.
+/// Another text for one line, or several lines in its place.
 struct LineEdit {
   std::uint32_t line = 0;  ///< from 1
-  std::string text;        ///< without line end
+  std::string text;        ///< without the last line end; `\n` between lines becomes the line end of the file
 };
 
 /// The file's bytes with some lines replaced; line ends and everything else stay byte for byte. `edits`: ascending by

@@ -7,6 +7,7 @@
 
 #include "base/vector.hpp"
 #include "records/fix_proof.hpp"
+#include "records/repair.hpp"
 
 namespace gapcheck {
 
@@ -47,6 +48,9 @@ struct UnfixedNode {
 /// An alternative that would remove the penetrations between two parts: what it is, and the keyword lines.
 struct FixAlternative {
   std::string text, card;
+  RepairKind kind = RepairKind::exclude;
+  RepairSettings settings = {};  ///< the same for a program
+  double cost = 1;  ///< share of the contact distance that is given away or forgiven; 1: the contact itself
 };
 
 /// Alternatives to moving nodes for two parts.

@@ -197,7 +197,6 @@ void name_differences(const model::Contact& contact, const contact::ContactSurfa
   const auto warn = [&](const std::string& text) {
     diagnostics.warning("", 0, fmt::format("contact {}: {}", contact.id.value, text));
   };
-  if (surfaces.type.can(contact::Ability::edges_only)) warn("EDGEONLY: nodes are held off segments as well");
   if (contact.options.thermal) warn("THERMAL: heat does not flow through the contact");
   if (surfaces.type.pairing != contact::Pairing::segments) return;
   if (surfaces.settings.shlthk == 0)

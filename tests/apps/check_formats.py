@@ -142,6 +142,26 @@ def check_fix(gapcheck, root):
     assert seen == {"moved", "unfixed", "proposals", "files", "proof"}, seen
 
 
+def check_repairs(gapcheck, root):
+    """The repairs of every deck: listed, and the best of them applied."""
+    schemas = root / "docs/schema"
+    seen, kinds = set(), set()
+    for name, options in (("plan", ["--plan"]), ("applied", ["--best", "--dry-run", "--verify", "--cycles", "3"])):
+        schema = json.loads((schemas / f"gapcheck-fix-{name}-1.schema.json").read_text())
+        jsonschema.Draft7Validator.check_schema(schema)
+        resolver = jsonschema.RefResolver(schemas.as_uri() + "/", schema)
+        validator = jsonschema.Draft7Validator(strict(schema), resolver=resolver)
+        for deck in sorted((root / "data").glob("*.k")):
+            run = subprocess.run([gapcheck, "fix", deck, "--format", "json", *options], capture_output=True, text=True)
+            assert run.returncode in (0, 1), f"{deck}: {run.stderr}"
+            report = json.loads(run.stdout)
+            validator.validate(report)
+            seen |= {key for key in ("pairs", "best", "lines", "files", "proof") if report.get(key)}
+            kinds |= {repair["kind"] for pair in report.get("pairs", []) for repair in pair["repairs"]}
+    assert seen == {"pairs", "best", "lines", "files", "proof"}, seen
+    assert kinds == {"move", "optt", "sst", "sections", "ignore", "tie", "exclude", "swap"}, kinds
+
+
 def check_start(gapcheck, root):
     """The start of every deck, as it runs and as it is written."""
     schema = json.loads((root / "docs/schema/gapcheck-start-1.schema.json").read_text())
@@ -292,6 +312,7 @@ def main():
     check_ignores(checker)
     check_settings(checker)
     check_fix(checker.gapcheck, checker.root)
+    check_repairs(checker.gapcheck, checker.root)
     check_start(checker.gapcheck, checker.root)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)

@@ -57,6 +57,7 @@ const std::map<std::string, Order> floors{
       {"top", {"mesh", "portability"}},
       {"shared", {"top"}},
       {"fix", {"shared"}},
+      {"repair", {"fix"}},
       {"rules/penetration", {"shared"}},
       {"rules/tie", {"shared"}},
       {"rules/thickness", {"shared"}},

@@ -467,6 +467,23 @@ TEST(Initial, BeamWithoutLengthMovesNoNodeToNowhere) {
   for (const Vector& x : scene.run().x) EXPECT_TRUE(x.allFinite());
 }
 
+// EDGEONLY: edges meet, nodes and segments do not.
+TEST(Initial, EdgeOnlyListsNoNodes) {
+  const auto found = [](const char* keyword, PenetrationKind kind) {
+    Scene scene = two_plates(0.7);
+    scene.contact(keyword);
+    InitialOptions options;
+    options.edges = true;
+    const auto list = scene.run(options).penetrations;
+    return std::count_if(list.begin(), list.end(), [&](const Penetration& p) { return p.kind == kind; });
+  };
+  EXPECT_GT(found("AUTOMATIC_GENERAL", PenetrationKind::initial), 0);
+  EXPECT_EQ(found("AUTOMATIC_GENERAL_EDGEONLY", PenetrationKind::initial), 0);
+  EXPECT_GT(found("AUTOMATIC_GENERAL", PenetrationKind::edge), 0);
+  EXPECT_EQ(found("AUTOMATIC_GENERAL_EDGEONLY", PenetrationKind::edge),
+            found("AUTOMATIC_GENERAL", PenetrationKind::edge));
+}
+
 TEST(Initial, ReferenceSideWithoutSegmentsIsNotChecked) {
   Scene scene = two_plates(0.7);
   scene.model.sets.nodes[5].members = {NodeIndex{0}};

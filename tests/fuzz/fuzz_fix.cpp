@@ -4,9 +4,11 @@
 #include <unordered_map>
 
 #include "audit/fix/fix.hpp"
+#include "audit/repair/repair_plan.hpp"
 #include "fuzz.hpp"
 #include "model/model.hpp"
 #include "report/format/fix_report.hpp"
+#include "report/format/repair_report.hpp"
 
 namespace gapcheck::fuzz::fix_target {
 namespace {
@@ -41,6 +43,30 @@ void nodes_are_there(std::string text, const FixReport& report) {
   }
 }
 
+/// What the plan has tried can be applied, and leaves what the plan says.
+void repairs_keep_their_word(const std::string& text, const keyword::Deck& deck, const audit::FixOptions& options) {
+  const audit::Reread reread = [&](const auto& texts, Diagnostics& diagnostics) {
+    const auto changed = texts.find("fuzz.k");
+    return keyword::read_deck_text(changed == texts.end() ? text : changed->second, "fuzz.k", alone(), diagnostics);
+  };
+  Diagnostics diagnostics;
+  const auto plan = audit::plan_repairs(deck, options, reread, diagnostics);
+  if (!plan) return;
+  static_cast<void>(report::plan_text(plan.value(), {}));
+  static_cast<void>(report::plan_json(plan.value()));
+  if (plan.value().pairs.empty()) return;
+  for (const Repair& repair : plan.value().pairs.front().repairs) {
+    if (!repair.outcome.refused.empty()) continue;
+    const std::vector<std::string> ids{repair.id};
+    const auto applied = audit::apply_repairs(deck, ids, options, reread, diagnostics);
+    require(applied.ok());
+    static_cast<void>(report::applied_text(applied.value().report, {}));
+    static_cast<void>(report::applied_json(applied.value().report));
+    require(applied.value().report.after() >= repair.outcome.left);
+    require(plan.value().pairs.size() > 1 || !repair.outcome.solves() || applied.value().report.complete());
+  }
+}
+
 }  // namespace
 
 GAPCHECK_FUZZ_TARGET(fix) {
@@ -52,6 +78,7 @@ GAPCHECK_FUZZ_TARGET(fix) {
   options.work = 2'000'000;
   options.recommended = input.size() % 8 == 0;
   options.free_welds = input.size() % 8 == 1;
+  if (input.size() % 4 == 0) repairs_keep_their_word(std::string(input), deck.value(), options);
   const auto fixed = audit::fix_penetrations(deck.value(), options, diagnostics);
   static_cast<void>(diagnostics.sorted());
   if (!fixed) return;

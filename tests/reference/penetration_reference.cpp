@@ -300,6 +300,8 @@ class Run {
         rules.kind.can(model::Ability::interference))
       return true;
     findings_.judged.push_back(contact.id);
+    // 1.2: EDGEONLY holds no nodes off segments.
+    if (rules.kind.can(model::Ability::edges_only) && !rules.by_segments) return true;
     // 7.4, 7.5: segment against segment, both ways.
     const bool both_ways = !rules.single && (rules.two_way || rules.by_segments);
     // 7.3: both passes have the surfaces that the contact finds, with their boxes and thickness.

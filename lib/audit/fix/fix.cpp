@@ -206,7 +206,7 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   const ElementBounds::Change change = bounds.change(model.mesh.nodes.x, moved);
   report.elements_touched = change.touched;
   report.elements_worsened = change.worsened;
-  report.proposals = proposals(model, x, mover.before().state);
+  if (options.proposals) report.proposals = proposals(model, x, mover.before().state);
   Reporter reporter(model, x, mover, report);
   reporter.contacts();
   reporter.moved(moved);

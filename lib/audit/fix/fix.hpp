@@ -19,6 +19,7 @@ struct FixOptions {
   std::vector<std::pair<std::int64_t, double>> priorities;  ///< --priority: part id and factor, positive
   /// --recommended: nodes of contacts with IGNORE = 2 go where the solver recommends, and nothing else moves.
   bool recommended = false;
+  bool proposals = true;    ///< what could be done instead of moving nodes is searched, too
   bool free_welds = false;  ///< --free-welds: nodes of spot welds, rivets and weld elements may move against each other
   ShapeLimits limits;
   std::uint32_t rounds = 40;  ///< searches of the contacts at most

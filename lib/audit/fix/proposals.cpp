@@ -19,24 +19,31 @@ namespace {
 /// Contact and the ids of the parts, the smaller one first.
 using PairKey = std::tuple<ContactIndex, std::int64_t, std::int64_t>;
 
-FixAlternative by_optt(double thickness) {
-  return {fmt::format("OPTT = {:.4g} for both parts", thickness),
-          fmt::format("*PART_CONTACT  (card behind PID, SECID, MID of both parts)\n"
-                      "$       FS        FD        DC        VC      OPTT\n"
-                      "        0.        0.        0.        0.{:>10.4g}\n",
-                      thickness)};
+FixAlternative by_optt(std::int64_t a, std::int64_t b, double thickness) {
+  FixAlternative alternative{fmt::format("OPTT = {:.4g} for both parts", thickness),
+                             fmt::format("*PART_CONTACT  (card behind PID, SECID, MID of both parts)\n"
+                                         "$       FS        FD        DC        VC      OPTT\n"
+                                         "        0.        0.        0.        0.{:>10.4g}\n",
+                                         thickness),
+                             RepairKind::part_thickness};
+  alternative.settings.part_thickness = {{a, thickness}, {b, thickness}};
+  return alternative;
 }
 
-FixAlternative by_sst(std::int64_t contact, double thickness, bool single) {
-  return {fmt::format("SST{} = {:.4g} in contact {}", single ? "" : " = MST", thickness, contact),
-          fmt::format("$ card 3 of contact {}\n"
-                      "$      SFS       SFM       SST       MST\n"
-                      "        1.        1.{:>10.4g}{:>10.4g}\n",
-                      contact, thickness, single ? 0 : thickness)};
+FixAlternative by_sst(std::int64_t contact, ContactIndex position, double thickness, bool single) {
+  FixAlternative alternative{fmt::format("SST{} = {:.4g} in contact {}", single ? "" : " = MST", thickness, contact),
+                             fmt::format("$ card 3 of contact {}\n"
+                                         "$      SFS       SFM       SST       MST\n"
+                                         "        1.        1.{:>10.4g}{:>10.4g}\n",
+                                         contact, thickness, single ? 0 : thickness),
+                             RepairKind::contact_thickness};
+  alternative.settings.contact_thickness[position.value] = {thickness, single ? 0 : thickness};
+  return alternative;
 }
 
 FixAlternative by_sections(const ThinnerSections& thinner) {
-  FixAlternative alternative;
+  FixAlternative alternative{"", "", RepairKind::sections};
+  alternative.settings.section_thickness = thinner.thickness;
   for (const auto& [section, thickness] : thinner.thickness) {
     alternative.text +=
         fmt::format("{}T1 … T4 = {:.4g} in section {}", alternative.text.empty() ? "" : ", ", thickness, section);
@@ -53,21 +60,33 @@ FixAlternative by_sections(const ThinnerSections& thinner) {
 }
 
 FixAlternative by_exclusion(std::int64_t contact, std::int64_t a, std::int64_t b) {
-  return {"no contact between the two, if they are meant to be joined",
-          fmt::format("*{}\n"
-                      "$     CEID       CID\n"
-                      "         1{:>10}\n"
-                      "$     SIDA      SIDB     TYPEA     TYPEB\n"
-                      "{:>10}{:>10}         3         3\n",
-                      model::exclusion_keyword, contact, a, b)};
+  FixAlternative alternative{"no contact between the two, if they are meant to be joined",
+                             fmt::format("*{}\n"
+                                         "$     CEID       CID\n"
+                                         "         1{:>10}\n"
+                                         "$     SIDA      SIDB     TYPEA     TYPEB\n"
+                                         "{:>10}{:>10}         3         3\n",
+                                         model::exclusion_keyword, contact, a, b),
+                             RepairKind::exclude};
+  alternative.settings.excluded = {{contact, a, b}};
+  return alternative;
 }
 
-FixAlternative by_ignore(std::int64_t contact) {
-  return {fmt::format("IGNORE = 1 in contact {}: the penetration stays, without force", contact),
-          fmt::format("$ card C of contact {}, behind cards A and B\n"
-                      "$     IGAP    IGNORE\n"
-                      "         1         1\n",
-                      contact)};
+FixAlternative by_ignore(std::int64_t contact, ContactIndex position) {
+  FixAlternative alternative{fmt::format("IGNORE = 1 in contact {}: the penetration stays, without force", contact),
+                             fmt::format("$ card C of contact {}, behind cards A and B\n"
+                                         "$     IGAP    IGNORE\n"
+                                         "         1         1\n",
+                                         contact),
+                             RepairKind::ignore};
+  alternative.settings.ignore = {position.value};
+  return alternative;
+}
+
+double forgiven(const std::vector<Penetration>& records) {
+  double largest = 0;
+  for (const Penetration& p : records) largest = std::max(largest, p.depth / std::max(p.depth, p.contact_distance));
+  return largest;
 }
 
 class Proposer {
@@ -111,13 +130,16 @@ class Proposer {
       const bool single = type.treatment == contact::Treatment::single_surface;
       if (const auto card = card_.find(position); card != card_.end()) {
         proposal.thickness = card->second;
-        proposal.alternatives.push_back(by_sst(proposal.contact, card->second, single));
+        proposal.alternatives.push_back(by_sst(proposal.contact, position, card->second, single));
+        proposal.alternatives.back().cost = given_away(model_, records, card->second);
       }
       if (a > 0 && b > 0) thickness_of_parts(key, records, proposal);
     }
     if (a > 0 && b > 0 && a != b) proposal.alternatives.push_back(by_exclusion(proposal.contact, a, b));
-    if (contact::knows_ignore(type) && contact::settings(contact, type, model_.controls).ignore == 0)
-      proposal.alternatives.push_back(by_ignore(proposal.contact));
+    if (contact::knows_ignore(type) && contact::settings(contact, type, model_.controls).ignore == 0) {
+      proposal.alternatives.push_back(by_ignore(proposal.contact, position));
+      proposal.alternatives.back().cost = forgiven(records);
+    }
     return proposal;
   }
 
@@ -136,9 +158,12 @@ class Proposer {
     const double thickness = trial_.free_optt(position, a, b, records, records_of(state_, position));
     if (!(thickness > 0)) return;
     proposal.thickness = std::max(proposal.thickness, thickness);
-    proposal.alternatives.push_back(by_optt(thickness));
-    if (const auto thinner = trial_.sections(position, a, b, records, thickness))
+    proposal.alternatives.push_back(by_optt(a, b, thickness));
+    proposal.alternatives.back().cost = given_away(model_, records, thickness);
+    if (const auto thinner = trial_.sections(position, a, b, records, thickness)) {
       proposal.alternatives.push_back(by_sections(*thinner));
+      proposal.alternatives.back().cost = given_away(model_, records, thickness);
+    }
   }
 
   model::Model& model_;

@@ -16,11 +16,6 @@ bool between(const Penetration& p, std::int64_t a, std::int64_t b) {
   return std::minmax(p.part, p.element_part) == std::minmax(a, b);
 }
 
-/// A half from each side that is not a solid.
-double halves_of_optt(const model::Model& model, const Penetration& p) {
-  return (solid_part(model, p.part) ? 0 : 0.5) + (solid_part(model, p.element_part) ? 0 : 0.5);
-}
-
 /// Sets OPTT of two parts as long as it lives.
 class WithOptt {
  public:
@@ -44,6 +39,17 @@ class WithOptt {
 };
 
 }  // namespace
+
+double share_of_thickness(const model::Model& model, const Penetration& p) {
+  return (solid_part(model, p.part) ? 0 : 0.5) + (solid_part(model, p.element_part) ? 0 : 0.5);
+}
+
+double given_away(const model::Model& model, std::span<const Penetration> records, double thickness) {
+  double largest = 0;
+  for (const Penetration& p : records)
+    largest = std::max(largest, 1 - share_of_thickness(model, p) * thickness / p.contact_distance);
+  return largest;
+}
 
 std::vector<FreeCard> ThicknessTrial::cards(std::span<const ContactIndex> contacts,
                                             const contact::InitialState& state) {
@@ -73,7 +79,7 @@ double ThicknessTrial::free_optt(ContactIndex contact, std::int64_t a, std::int6
   const auto part_a = model_.part_of_id.find(a), part_b = model_.part_of_id.find(b);
   if (part_a == model_.part_of_id.end() || part_b == model_.part_of_id.end()) return 0;
   const auto limit = [&](std::span<const Penetration> some) {
-    return free_thickness(some, [&](const Penetration& p) { return DistanceRule{halves_of_optt(model_, p), 0}; });
+    return free_thickness(some, [&](const Penetration& p) { return DistanceRule{share_of_thickness(model_, p), 0}; });
   };
   const auto others = [&](std::span<const Penetration> some) {
     return std::count_if(some.begin(), some.end(),

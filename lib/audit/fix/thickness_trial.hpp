@@ -18,6 +18,12 @@ struct ThinnerSections {
   std::size_t other_parts = 0;               ///< that have one of these sections, too
 };
 
+/// What a thickness of both sides adds to the contact distance of a record: a half from each that is not a solid.
+[[nodiscard]] double share_of_thickness(const model::Model& model, const Penetration& p);
+
+/// The largest share of the contact distance that a thickness of both sides takes from the records.
+[[nodiscard]] double given_away(const model::Model& model, std::span<const Penetration> records, double thickness);
+
 /// Tries other thicknesses on a model, searches the contact with them, and restores them. The model must outlive it.
 class ThicknessTrial {
  public:

@@ -168,8 +168,11 @@ bool solid_part(const model::Model& model, std::int64_t id) {
 }
 
 double rounded_down(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
-  return std::floor(value / unit * (1 + 1e-12)) * unit;
+  // A quotient by a power of ten is the number that the decimal reads back as.
+  const double places = 3 - std::floor(std::log10(value));
+  const double unit = std::pow(10, std::abs(places));
+  const double digits = std::floor((places > 0 ? value * unit : value / unit) * (1 + 1e-12));
+  return places > 0 ? digits / unit : digits * unit;
 }
 
 std::vector<FreeCard> free_cards(const FreeCardScene& scene, std::span<const ContactIndex> contacts,

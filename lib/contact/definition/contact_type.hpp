@@ -39,6 +39,8 @@ struct ContactType {
   /// As the solver prints it: "13", "a3", "o6"; "?" where the kind is not known.
   [[nodiscard]] std::string printed() const { return model::printed(code, offset); }
   [[nodiscard]] bool checked() const { return not_checked.empty(); }
+  /// Neither nodes nor segments meet segments: only edges meet, and beams.
+  [[nodiscard]] bool only_edges() const { return pairing == Pairing::nodes && can(Ability::edges_only); }
   /// Both sides are segments and each is searched in the other, even in one-way types.
   [[nodiscard]] bool by_segments() const { return pairing == Pairing::segments || pairing == Pairing::mortar; }
 };

@@ -21,6 +21,7 @@ bool same_cards(const Contact& a, const Contact& b) {
   like_a.default_id = a.default_id;
   like_a.title = a.title;
   like_a.place = a.place;
+  like_a.lines = a.lines;
   like_a.cards.first_surplus = a.cards.first_surplus;
   like_a.cards.misread = a.cards.misread;
   return like_a == a;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -45,6 +46,14 @@ struct CardLines {
   bool operator==(const CardLines&) const = default;
 };
 
+/// Lines of a contact's cards in its file; 0: the block ends before.
+struct ContactLines {
+  std::uint32_t mpp = 0, card1 = 0, card2 = 0, card3 = 0;
+  std::array<std::uint32_t, 3> optional{};  ///< A, B, C
+  std::uint32_t last = 0;                   ///< of the last card up to C; 0: the cards were not read
+  bool operator==(const ContactLines&) const = default;
+};
+
 /// Card 4 of tiebreak types: when a tie fails, by (tension / normal)^normal_power + (shear / shear)^shear_power >= 1.
 struct TiebreakStrength {
   /// NFLF and SFLF, forces on a node, of TIEBREAK_NODES; else NFLS and SFLS, stresses. 0: no such limit.
@@ -89,6 +98,7 @@ struct Contact {
   bool own_layout = false;  ///< 2D, ENTITY, INTERIOR, …: the cards are not those of a 3D contact and were not read
   Place place;
   CardLines cards;
+  ContactLines lines;
 
   SurfaceInput a, b;
   bool print_a = false, print_b = false;  ///< SAPR, SBPR: forces on the nodes of that side go to ncforc

@@ -52,6 +52,8 @@ struct Context {
   std::size_t transformed_nodes = 0;     ///< by *NODE_TRANSFORM so far
   std::size_t immediate_moves_read = 0;  ///< rows with IMMED = 1 in decks with boxes
   std::size_t immediate_moves = 0;       ///< of these with transformations that refer to nodes
+  double spot_thinning = 0;              ///< SPOTHIN of *CONTROL_CONTACT
+  Place spot_thinning_place = {};
   /// Rows of a *DEFINE_TABLE that wait for the curves that follow it; last first.
   std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 

@@ -87,10 +87,24 @@ void resolve_thickness_curve(Context& context, Contact& contact) {
     contact.airbag_thickness = thickness;
 }
 
+/// Pre-processors write SPOTHIN into every deck; it matters where shells are welded.
+void name_thinning(Context& context) {
+  const std::vector<Material>& materials = context.model.materials;
+  const double thinning = context.spot_thinning;
+  if (!(thinning > 0 && thinning < 1) ||
+      std::none_of(materials.begin(), materials.end(), [](const Material& material) { return material.spotweld; }))
+    return;
+  context.warning(context.spot_thinning_place,
+                  fmt::format("SPOTHIN = {}: shells at spot welds keep their contact thickness; next to welds "
+                              "penetrations may be listed that the solver does not find",
+                              thinning));
+}
+
 }  // namespace
 
 void finish_contacts(Context& context) {
   number_contacts(context);
+  name_thinning(context);
   for (Contact& contact : context.model.contacts) {
     if (contact.kind == nullptr) continue;
     resolve_thickness_curve(context, contact);

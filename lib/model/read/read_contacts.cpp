@@ -35,6 +35,9 @@ SurfaceInput read_surface(Context& context, const Block& block, const Card& card
   return surface;
 }
 
+/// The line of the next card; 0 if the block has ended.
+std::uint32_t line_of_next(const CardReader& reader) { return reader.at_end() ? 0 : reader.peek_line(); }
+
 /// True if the block continues; otherwise notes the first mandatory card that it ends before.
 bool has_card(const CardReader& reader, Contact& contact, std::string_view card) {
   if (!reader.at_end()) return true;
@@ -48,6 +51,7 @@ void skip_cards(CardReader& reader, Contact& contact, std::string_view card, std
 
 void read_mpp(CardReader& reader, Contact& contact) {
   if (!has_card(reader, contact, "the MPP card")) return;
+  contact.lines.mpp = line_of_next(reader);
   const Card card = reader.next(contact_card_layout("MPP1"));
   if (!card.blank("ignore")) contact.mpp_ignore = card.integer("ignore");
   contact.mpp_cparm8 = card.integer("cparm8");
@@ -73,6 +77,7 @@ bool read_mandatory(Context& context, CardReader& reader, Contact& contact) {
                   fmt::format("*{} ends before {}; add the card", contact.written, contact.cards.missing));
     return false;
   }
+  contact.lines.card1 = line_of_next(reader);
   const Card card1 = reader.next(contact_card_layout("card1"));
   contact.a = read_surface(context, block, card1, "surfa", "surfatyp", "saboxid");
   contact.b = read_surface(context, block, card1, "surfb", "surfbtyp", "sbboxid");
@@ -80,8 +85,10 @@ bool read_mandatory(Context& context, CardReader& reader, Contact& contact) {
   contact.print_b = card1.integer("sbpr") != 0;
   // A transducer needs neither friction nor stiffness.
   if (!transducer) has_card(reader, contact, "card 2 (friction, birth and death)");
+  contact.lines.card2 = line_of_next(reader);
   const Card card2 = reader.next(contact_card_layout("card2"));
   if (!transducer) has_card(reader, contact, "card 3 (stiffness and thickness)");
+  contact.lines.card3 = line_of_next(reader);
   const Card card3 = reader.next(contact_card_layout("card3"));
   // Of TIED_..._FAILURE the tension and the shear at which ties fail.
   const double strengths = contact.kind->tie == TieForm::with_failure ? context.stress(block, 1) : 1;
@@ -297,8 +304,11 @@ void read_e(const Card& card, Contact& contact) {
 /// Cards A to G, as many as there are; blank lines are cards.
 void read_optional(Context& context, CardReader& reader, Contact& contact) {
   constexpr std::string_view names[] = {"A", "B", "C", "D", "E", "F", "G"};
+  contact.lines.last = reader.last_line();
   for (const std::string_view name : names) {
     if (reader.at_end()) return;
+    if (contact.optional_cards < contact.lines.optional.size())
+      contact.lines.optional[contact.optional_cards] = contact.lines.last = reader.peek_line();
     ++contact.optional_cards;
     const Card card = reader.next(contact_card_layout(name));
     switch (name.front()) {

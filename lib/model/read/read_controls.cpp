@@ -51,6 +51,8 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   controls.th_sf = card3.real("th_sf");
   const Card card4 = next_card(reader, "CONTROL_CONTACT", "card4");
   controls.ignore = card4.integer("ignore");
+  context.spot_thinning = card4.real("spothin");
+  context.spot_thinning_place = Context::place(block, card4.line());
   if (card4.integer("frceng") == 1)
     context.model.output.notes.push_back(
         {Context::place(block, card4.line()),

@@ -169,7 +169,7 @@ void ContactInterface::add_passes() {
   const auto add_nodes_in_segments = [&](bool exchanged) {
     passes_.push_back(std::make_unique<ContactPass>(setting_, contact_, surfaces, exchanged, x_));
   };
-  add_nodes_in_segments(false);
+  if (!surfaces.type.only_edges()) add_nodes_in_segments(false);
   if (is_tiebreak(card())) return;
   if (surfaces.type.treatment == contact::Treatment::two_way || (surfaces.type.by_segments() && surfaces.two_sided()))
     add_nodes_in_segments(true);

@@ -75,6 +75,12 @@ void add_end(const Run& run, RunEnd end, std::span<const ShotNode> shot, RunTria
   for (const ContactView& view : run.contacts()) trial.released += view.state().released;
 }
 
+RunTrial tried(const keyword::Deck& deck, const model::Model& model, const TrialSettings& settings,
+               Diagnostics& diagnostics) {
+  contact::SurfaceStore surfaces(model);
+  return try_run(deck, model, surfaces, settings, diagnostics);
+}
+
 }  // namespace
 
 RunTrial try_run(const keyword::Deck& deck, const model::Model& model, contact::SurfaceStore& surfaces,
@@ -98,19 +104,20 @@ RunTrial try_run(const keyword::Deck& deck, const model::Model& model, contact::
 
 FixProof prove_fix(const keyword::Deck& deck, model::Model& model, std::span<const MovedNode> moved,
                    const TrialSettings& settings, Diagnostics& diagnostics) {
-  FixProof proof;
-  proof.until = settings.until;
-  proof.cycles = settings.cycles;
-  {
-    contact::SurfaceStore surfaces(model);
-    proof.before = try_run(deck, model, surfaces, settings, diagnostics);
-  }
+  FixProof proof{settings.until, settings.cycles, tried(deck, model, settings, diagnostics), {}};
   model::Nodes& nodes = model.mesh.nodes;
   for (const MovedNode& node : moved)
     if (const auto at = nodes.lookup.find(node.node)) nodes.x[*at] = node.to;
-  contact::SurfaceStore surfaces(model);
   Diagnostics repeated;
-  proof.after = try_run(deck, model, surfaces, settings, repeated);
+  proof.after = tried(deck, model, settings, repeated);
+  return proof;
+}
+
+FixProof prove_repair(const keyword::Deck& before, const model::Model& model_before, const keyword::Deck& after,
+                      const model::Model& model_after, const TrialSettings& settings, Diagnostics& diagnostics) {
+  FixProof proof{settings.until, settings.cycles, tried(before, model_before, settings, diagnostics), {}};
+  Diagnostics repeated;
+  proof.after = tried(after, model_after, settings, repeated);
   return proof;
 }
 

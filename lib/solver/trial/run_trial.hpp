@@ -27,4 +27,9 @@ struct TrialSettings {
 [[nodiscard]] FixProof prove_fix(const keyword::Deck& deck, model::Model& model, std::span<const MovedNode> moved,
                                  const TrialSettings& settings, Diagnostics& diagnostics);
 
+/// The same for a deck as it is, and as a repair writes it. The models are those of the decks.
+[[nodiscard]] FixProof prove_repair(const keyword::Deck& before, const model::Model& model_before,
+                                    const keyword::Deck& after, const model::Model& model_after,
+                                    const TrialSettings& settings, Diagnostics& diagnostics);
+
 }  // namespace gapcheck::solver

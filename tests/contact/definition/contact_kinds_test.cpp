@@ -43,6 +43,7 @@ std::string surface_words(const ContactType& type) {
 }
 
 std::string audit_words(const ContactKind& kind, const ContactType& type) {
+  if (type.only_edges()) return "edges alone (GC109)";
   if (type.pairing == Pairing::nodes) return type.edges ? "nodes in segments, edges (GC109)" : "nodes in segments";
   if (type.family == Family::tied) return "ties";
   return kind.can(Ability::interference) ? "no: the overlap is meant" : "no";

@@ -45,6 +45,20 @@ TEST(ReadControls, TimesAndLengthsOfIncludes) {
   EXPECT_DOUBLE_EQ(controls.length_unit, 0.001 / 7);
 }
 
+// The thickness at spot welds stays, and that is said where it matters only.
+TEST(ReadControls, ThinningAtSpotWeldsIsNamed) {
+  const auto warned = [](const std::string& card4, const std::string& weld = "*MAT_SPOTWELD\n1,7.8e-9,2e5,0.3\n") {
+    const auto read = read_text("*CONTROL_CONTACT\n\n\n\n" + card4 + "\n" + weld);
+    for (const Diagnostic& each : read.diagnostics)
+      if (each.severity == Severity::warning && each.message.find("SPOTHIN") != std::string::npos) return each.line;
+    return std::uint32_t{0};
+  };
+  EXPECT_EQ(warned("0,0,0,0,0,0,0.5"), 5u);
+  EXPECT_EQ(warned("0,0,0,0,0,0,0.5", "*MAT_ELASTIC\n1,7.8e-9,2e5,0.3\n"), 0u) << "nothing is welded";
+  EXPECT_EQ(warned("0,0,0,0,0,0,0."), 0u);
+  EXPECT_EQ(warned("0,0,0,0,0,0,1.5"), 0u) << "outside of its range it does nothing";
+}
+
 TEST(ReadControls, DefaultsOfBlankCards) {
   const Controls controls =
       read_text("*CONTROL_CONTACT\n\n*CONTROL_BULK_VISCOSITY\n\n*CONTROL_TIMESTEP\n\n").model.controls;

@@ -102,5 +102,25 @@ INSTANTIATE_TEST_SUITE_P(All, ContactTypes,
                                          Type{"m10", "FORMING_ONE_WAY_SURFACE_TO_SURFACE", Way::one, 0.04}),
                          [](const auto& one) { return std::string(one.param.code); });
 
+// No free edge of the upper plate meets one of the lower plate, which it falls through.
+TEST(ContactTypesEdges, EdgeOnlyHoldsNoNodesOffSegments) {
+  for (const char* keyword : {"AUTOMATIC_GENERAL", "AUTOMATIC_GENERAL_EDGEONLY"}) {
+    RunSettings settings;
+    settings.until = 0.2;
+    RunScene scene(sheet(1, 3, 1, 0, 0, true) + sheet(2, 3, 0.8, 0.1, 0.05, false) +
+                       "*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n*CONTROL_TERMINATION\n1.\n"
+                       "*INITIAL_VELOCITY_GENERATION\n2,2,0.,0.,0.,-0.5\n0.,0.,0.,0.,0.,1.\n"
+                       "*SET_PART_LIST\n1\n1,2\n*CONTACT_" +
+                       keyword + "\n1,0,2\n0.\n1.,1.\n",
+                   settings);
+    ASSERT_TRUE(scene.prepared()) << scene.message();
+    double greatest = 0;
+    scene.go([&](const solver::Run& run) {
+      for (const Vector& force : run.stepper().external().force) greatest = std::max(greatest, force.norm());
+    });
+    EXPECT_EQ(greatest == 0, std::string(keyword).ends_with("EDGEONLY")) << keyword << greatest;
+  }
+}
+
 }  // namespace
 }  // namespace gapcheck::solver::contact_types_test

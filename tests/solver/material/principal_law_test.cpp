@@ -79,7 +79,7 @@ TEST(PrincipalLaw, StiffnessBound) {
       if (trial == 0) f = Matrix::Identity();
       if (trial == 1) f = Vector(0.7, 0.7, 1.2).asDiagonal();
       constexpr double h = 1e-4;
-      const auto energy = [&](int i, double di, int j, double dj) {
+      const auto energy = [&, &law = law](int i, double di, int j, double dj) {
         Matrix g = Matrix::Identity();
         g(i / 3, i % 3) += di;
         g(j / 3, j % 3) += dj;

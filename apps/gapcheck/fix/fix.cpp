@@ -16,6 +16,7 @@
 #include "changed_files.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
+#include "fix/fix_repairs.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
@@ -27,20 +28,6 @@
 
 namespace gapcheck::app {
 namespace {
-
-struct FixArguments {
-  std::string deck, directory, format = "text", output;
-  std::string settings_path;  ///< empty: none is used
-  std::string missing_includes = "error";
-  std::vector<std::string> locks, priorities;
-  keyword::ReadOptions read;
-  audit::FixOptions fix;
-  report::FixTextOptions text;
-  SettingsOptions settings;
-  solver::TrialSettings trial;
-  std::size_t jobs = 0;
-  bool dry_run = false, stats = false, verify = false;
-};
 
 /// `PART`, `FIRST-LAST`, or the same for nodes after `node:`.
 std::optional<audit::Lock> parse_lock(std::string_view text) {
@@ -75,15 +62,6 @@ std::string check_priority(const std::string& text) {
   return parse_priority(text) ? "" : text + " is not PART=FACTOR with a factor between 1e-6 and 1e6";
 }
 
-/// An error if the report would overwrite an input or a corrected file.
-Status check_report(const keyword::Deck& deck, const FixArguments& arguments, const FixReport& report) {
-  std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
-  add_deck_files(deck, read);
-  std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
-  for (const FixedFile& file : report.changed) outputs.push_back({"-o", file.written});
-  return check_outputs(read, outputs);
-}
-
 Status write_report(const FixArguments& arguments, const FixReport& report) {
   Output output(arguments.output);
   output.write(arguments.format == "json" ? report::fix_json(report) : report::fix_text(report, arguments.text));
@@ -95,7 +73,7 @@ Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Fi
   Status status;
   status = arguments.dry_run ? deck.unchanged()
                              : choose_places(deck, arguments.deck, {"-o", arguments.directory}, fix.report.changed);
-  if (status.ok()) status = check_report(deck, arguments, fix.report);
+  if (status.ok()) status = check_fix_report(deck, arguments, fix.report.changed);
   if (status.ok() && !arguments.dry_run) status = write_files(deck, fix.files, fix.report.changed);
   return status.ok() ? write_report(arguments, fix.report) : status;
 }
@@ -160,6 +138,17 @@ int fix_deck(const FixArguments& arguments) {
   return complete(report) && (!report.proof || report.proof->holds()) ? clean : findings;
 }
 
+void add_repairs(CLI::App& command, FixArguments& arguments) {
+  CLI::Option* plan = command.add_flag("--plan", arguments.plan,
+                                       "List what can be done for each pair of parts, each tried and audited");
+  CLI::Option* best =
+      command.add_flag("--best", arguments.best, "Do what the plan lists first for each pair of parts")->excludes(plan);
+  add_list(command, "--apply", arguments.apply, "Repairs of the plan: 1-optt,2-move")
+      ->excludes(plan)
+      ->excludes(best)
+      ->type_name("IDS");
+}
+
 void add_choices(CLI::App& command, FixArguments& arguments) {
   const CLI::Validator lock(check_lock, ""), priority(check_priority, "");
   add_list(command, "--lock", arguments.locks, "Parts and nodes that must not move: 3, 7-9, node:100-200")
@@ -204,6 +193,7 @@ void add_fix(CLI::App& app, Action& action) {
   command->add_option("-o", arguments->directory, "Directory for the files that change; made where it is not there")
       ->type_name("DIR");
   command->add_flag("--dry-run", arguments->dry_run, "Write nothing but the report");
+  add_repairs(*command, *arguments);
   add_choices(*command, *arguments);
   command->add_flag(
       "--recommended", arguments->fix.recommended,
@@ -226,7 +216,7 @@ void add_fix(CLI::App& app, Action& action) {
       for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));
       for (const std::string& text : arguments->priorities) arguments->fix.priorities.push_back(*parse_priority(text));
       if (arguments->trial.until == 0 && arguments->trial.cycles == 0) arguments->trial.cycles = default_cycles;
-      return fix_deck(*arguments);
+      return asks_for_repairs(*arguments) ? repair_deck(*arguments) : fix_deck(*arguments);
     };
   });
 }

@@ -1,0 +1,157 @@
+#include "fix/fix_repairs.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "audit/repair/repair_plan.hpp"
+#include "base/parallel.hpp"
+#include "changed_files.hpp"
+#include "commands.hpp"
+#include "common/file_guard.hpp"
+#include "output.hpp"
+#include "output_guard.hpp"
+#include "progress.hpp"
+#include "report/format/repair_report.hpp"
+#include "report/item/describe.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+/// A deck whose repairs are tried: it is read again with other texts, its other files from memory.
+class RepairedInput {
+ public:
+  explicit RepairedInput(const FixArguments& arguments) : arguments_(arguments) {}
+
+  /// `texts` must outlive the deck.
+  [[nodiscard]] Result<keyword::Deck> read(const std::map<std::string, std::string>& texts, Diagnostics& diagnostics) {
+    keyword::ReadOptions options = arguments_.read;
+    options.cache = &cache_;
+    options.replaced = &texts;
+    return keyword::read_deck(arguments_.deck, options, diagnostics);
+  }
+
+ private:
+  const FixArguments& arguments_;
+  keyword::FileCache cache_;
+};
+
+Status write_report(const FixArguments& arguments, const std::string& text) {
+  Output output(arguments.output);
+  output.write(text);
+  return output.close();
+}
+
+int plan(const keyword::Deck& deck, const FixArguments& arguments, RepairPlan& plan) {
+  plan.input = arguments.deck;
+  Status status = check_fix_report(deck, arguments, {});
+  if (status.ok())
+    status = write_report(
+        arguments, arguments.format == "json" ? report::plan_json(plan) : report::plan_text(plan, arguments.text));
+  if (!status.ok()) {
+    print(status.error());
+    return failed;
+  }
+  return plan.penetrating == 0 ? clean : findings;
+}
+
+/// Runs the deck as it is and as it is written.
+Status verify(const keyword::Deck& deck, const FixArguments& arguments, RepairedInput& input,
+              audit::Repaired& repaired) {
+  Diagnostics repeated, warnings;  // both were read before
+  auto model = model::read_model(deck, repeated);
+  if (!model) return model.error();
+  auto after = input.read(repaired.texts, repeated);
+  if (!after) return after.error();
+  auto model_after = model::read_model(after.value(), repeated);
+  if (!model_after) return model_after.error();
+  repaired.report.proof =
+      solver::prove_repair(deck, model.value(), after.value(), model_after.value(), arguments.trial, warnings);
+  return {};
+}
+
+Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Repaired& repaired) {
+  AppliedRepairs& report = repaired.report;
+  report.input = arguments.deck;
+  report.dry_run = arguments.dry_run;
+  Status status = arguments.dry_run ? deck.unchanged()
+                                    : choose_places(deck, arguments.deck, {"-o", arguments.directory}, report.files);
+  if (status.ok()) status = check_fix_report(deck, arguments, report.files);
+  if (status.ok() && !arguments.dry_run) status = write_texts(deck, repaired.texts, report.files);
+  if (!status.ok()) return status;
+  return write_report(arguments, arguments.format == "json" ? report::applied_json(report)
+                                                            : report::applied_text(report, arguments.text));
+}
+
+int apply(const keyword::Deck& deck, const FixArguments& arguments, RepairedInput& input, audit::Repaired& repaired) {
+  Status status = arguments.verify ? verify(deck, arguments, input, repaired) : Status();
+  if (status.ok()) status = write(deck, arguments, repaired);
+  if (!status.ok()) {
+    print(status.error());
+    return failed;
+  }
+  const AppliedRepairs& report = repaired.report;
+  return report.complete() && (!report.proof || report.proof->holds()) ? clean : findings;
+}
+
+}  // namespace
+
+bool asks_for_repairs(const FixArguments& arguments) {
+  return arguments.plan || arguments.best || !arguments.apply.empty();
+}
+
+Status check_fix_report(const keyword::Deck& deck, const FixArguments& arguments, std::span<const FixedFile> written) {
+  std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
+  add_deck_files(deck, read);
+  std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
+  for (const FixedFile& file : written) outputs.push_back({"-o", file.written});
+  return check_outputs(read, outputs);
+}
+
+int repair_deck(const FixArguments& arguments) {
+  const JobLimit limit(arguments.jobs);
+  if (arguments.directory.empty() && !arguments.dry_run && !arguments.plan) {
+    print(plain_error("give a directory for the changed files with -o, or --dry-run"));
+    return failed;
+  }
+  RepairedInput input(arguments);
+  const audit::Reread reread = [&](const auto& texts, Diagnostics& diagnostics) {
+    return input.read(texts, diagnostics);
+  };
+  Diagnostics diagnostics;
+  std::optional<Progress> progress;
+  progress.emplace("trying repairs of " + report::printable(arguments.deck), !arguments.text.quiet);
+  const auto fail = [&](const Diagnostic& error) {
+    progress.reset();
+    print(diagnostics, arguments.text.quiet);
+    print(error);
+    return static_cast<int>(failed);
+  };
+  const std::map<std::string, std::string> no_texts;
+  const auto deck = input.read(no_texts, diagnostics);
+  if (!deck) return fail(deck.error());
+  std::vector<std::string> ids = arguments.apply;
+  if (ids.empty()) {
+    auto listed = audit::plan_repairs(deck.value(), arguments.fix, reread, diagnostics);
+    if (!listed) return fail(listed.error());
+    progress.reset();
+    if (arguments.plan) {
+      print(diagnostics, arguments.text.quiet);
+      return plan(deck.value(), arguments, listed.value());
+    }
+    ids = listed.value().best();
+    progress.emplace("repairing " + report::printable(arguments.deck), !arguments.text.quiet);
+  }
+  Diagnostics repeated;
+  auto repaired =
+      audit::apply_repairs(deck.value(), ids, arguments.fix, reread, arguments.apply.empty() ? repeated : diagnostics);
+  if (!repaired) return fail(repaired.error());
+  progress.reset();
+  print(diagnostics, arguments.text.quiet);
+  if (diagnostics.has_errors()) return failed;
+  return apply(deck.value(), arguments, input, repaired.value());
+}
+
+}  // namespace gapcheck::app
