@@ -22,6 +22,8 @@ std::string_view name(RepairKind kind) {
       return "exclude";
     case RepairKind::swap:
       return "swap";
+    case RepairKind::reach:
+      return "reach";
   }
   return "";
 }

@@ -17,10 +17,11 @@ enum class RepairKind : std::uint8_t {
   tie,                ///< the parts are joined
   exclude,            ///< no contact between the parts
   swap,               ///< the sides of a one-way contact change places
+  reach,              ///< a negative SST lets a tied contact reach farther
 };
 /// True for repairs that change what two parts do to each other for good: nobody can choose them but the user.
 [[nodiscard]] constexpr bool changes_the_model(RepairKind kind) { return kind >= RepairKind::tie; }
-/// "move", "optt", "sst", "sections", "ignore", "tie", "exclude", "swap".
+/// "move", "optt", "sst", "sections", "ignore", "tie", "exclude", "swap", "reach".
 [[nodiscard]] std::string_view name(RepairKind kind);
 
 /// Two parts in a contact; ids.
@@ -32,7 +33,7 @@ struct RepairParts {
 /// What one repair or several together set in a deck. Contacts are positions in the model's list.
 struct RepairSettings {
   bool move = false;
-  std::map<std::uint32_t, std::array<double, 2>> contact_thickness;  ///< SST, MST
+  std::map<std::uint32_t, std::array<double, 2>> contact_thickness;  ///< SST, MST; negative of ties
   std::map<std::int64_t, double> part_thickness;                     ///< OPTT by part id
   std::map<std::int64_t, double> section_thickness;                  ///< T1 … T4 by section id
   std::set<std::uint32_t> ignore, swapped;

@@ -19,8 +19,9 @@ struct RepairLine {
 
 /// What an audit of the repaired deck finds.
 struct RepairOutcome {
-  std::string refused;          ///< why the repair was not tried; empty: it was
-  std::uint64_t left = 0;       ///< penetrations between the two parts that are still moved, pushed or released
+  std::string refused;  ///< why the repair was not tried; empty: it was
+  std::uint64_t left =
+      0;  ///< penetrations of the pair that are still moved, pushed or released; of ties nodes still too far
   std::uint64_t forgiven = 0;   ///< that stay without force
   std::uint64_t added = 0;      ///< more penetrations elsewhere than before
   std::uint64_t lost_ties = 0;  ///< fewer tied nodes than before
@@ -45,12 +46,14 @@ struct Repair {
   std::vector<RepairLine> lines;  ///< of all kinds except move
 };
 
-/// The penetrations between two parts in one contact, and what can be done about them.
+/// The penetrations between two parts in one contact, or the nodes of a tied contact that are too far away to tie, and
+/// what can be done about them.
 struct RepairPair {
   std::size_t number = 0;  ///< from 1
+  bool of_ties = false;    ///< then without parts, and the next lines are about nodes too far away
   RepairParts parts;
   std::uint64_t penetrations = 0, released = 0;
-  double deepest = 0, contact_distance = 0;  ///< of the deepest one
+  double deepest = 0, contact_distance = 0;  ///< of the deepest one; of ties the farthest node and its tie distance
   bool tried = true;                         ///< false: there are too many pairs, so that nothing was tried
   std::vector<Repair> repairs;               ///< best first
 };
@@ -58,8 +61,9 @@ struct RepairPair {
 /// All repairs of a deck, each tried and audited.
 struct RepairPlan {
   std::string input;
-  std::vector<RepairPair> pairs;  ///< by contact and parts
+  std::vector<RepairPair> pairs;  ///< by contact and parts; then ties, by contact
   std::uint64_t penetrating = 0;  ///< nodes, each counted once for each contact
+  std::uint64_t too_far = 0;      ///< nodes that are too far away to tie
   std::uint64_t trials = 0;       ///< decks that were audited
   std::vector<std::string> notes;
   /// The first repair of each pair, if it solves the pair without changing the model (changes_the_model()).
@@ -78,7 +82,8 @@ struct AppliedRepairs {
   };
   std::vector<Contact> contacts;  ///< of the repaired deck
   std::uint64_t ties_before = 0, ties_after = 0;
-  std::uint64_t moved = 0;  ///< nodes
+  std::uint64_t too_far_before = 0, too_far_after = 0;  ///< nodes that are too far away to tie
+  std::uint64_t moved = 0;                              ///< nodes
   double largest_move = 0;
   std::vector<RepairLine> lines;  ///< except those of moved nodes
   std::vector<FixedFile> files;
@@ -87,8 +92,8 @@ struct AppliedRepairs {
   std::optional<FixProof> proof;  ///< runs before and after, where they were asked for
   [[nodiscard]] std::uint64_t before() const;
   [[nodiscard]] std::uint64_t after() const;
-  /// Nothing penetrates any more that the solver would move, push or release.
-  [[nodiscard]] bool complete() const { return after() == 0; }
+  /// Nothing penetrates any more that the solver would move, push or release, and no node is too far away to tie.
+  [[nodiscard]] bool complete() const { return after() + too_far_after == 0; }
 };
 
 }  // namespace gapcheck

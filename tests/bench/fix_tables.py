@@ -27,6 +27,8 @@ REAL = [
     ("car6, finest, `--free-welds`", "car6_refined/lsopt_car6/main_v222.k", ["--free-welds"]),
     ("ball_plate", "ball_plate/ball_plate.k", []),
 ]
+EXAMPLE = ["data/two_plates.k", "-o", "fixed", "--dry-run", "--top", "3"]
+PLAN = ["data/include_parameter.k", "--plan"]
 # The shoes come without the body whose contacts they take part in: here in a contact of their own.
 SHOES = ["50F-standing/vivaplus-82-Shoes-50F_standing_nodes.k", "common/vivaplus-80-Shoes.k"]
 
@@ -85,10 +87,69 @@ def shoes(gapcheck, decks):
         return row("shoes", corrected(gapcheck, main))
 
 
-def example(gapcheck):
-    out = subprocess.run([gapcheck, "fix", "data/two_plates.k", "-o", "fixed", "--dry-run", "--top", "3"],
-                         capture_output=True, text=True, cwd=ROOT).stdout
-    return "```\n$ gapcheck fix data/two_plates.k -o fixed --dry-run --top 3\n" + out + "```"
+def example(gapcheck, options):
+    out = subprocess.run([gapcheck, "fix", *options], capture_output=True, text=True, cwd=ROOT).stdout
+    return "```\n$ gapcheck fix " + " ".join(options) + "\n" + out + "```"
+
+
+def effect(pair, kind):
+    """What is left between two parts, and what it costs; in brackets what is worse elsewhere."""
+    repair = next((r for r in pair["repairs"] if r["kind"] == kind), None)
+    if repair is None or "refused" in repair:
+        return "–"
+    worse = sum(repair["elsewhere"].values())
+    return f"{repair['left']}{f' (+{worse})' if worse else ''} at {repair['cost']:.2f}"
+
+
+def plans(gapcheck, decks):
+    """The repairs of the real decks, and what the best of them leave."""
+    rows = ["| deck | parts | penetrations | `move` | `optt` | `ignore` | `exclude` | best |", "|---|---|---:|---:|---:|---:|---:|---|"]
+    for name, path, options in REAL:
+        if options:
+            continue
+        run = subprocess.run([gapcheck, "fix", decks / path, "--plan", "--format", "json"], capture_output=True, text=True)
+        plan = json.loads(run.stdout)
+        for pair in plan["pairs"]:
+            best = next((b for b in plan["best"] if b.startswith(f"{pair['number']}-")), None)
+            effects = " | ".join(effect(pair, kind) for kind in ("move", "optt", "ignore", "exclude"))
+            rows.append(f"| {name} | {pair['part']}, {pair['other_part']} | {pair['penetrations']} | {effects} | "
+                        f"{f'`{best}`' if best else '–'} |")
+    return "\n".join(rows)
+
+
+def sheets(path, shells):
+    """A tenth of the shells in two plates that penetrate with almost all of their nodes; the others in two far away."""
+    near, far = round((shells / 20) ** 0.5), round((9 * shells / 20) ** 0.5)
+    with open(path, "w") as out:
+        out.write("*KEYWORD\n*MAT_ELASTIC\n         1   7.85e-9   210000.       0.3\n")
+        for part, z, n in ((1, 0, near), (2, 0.7, near), (3, 50, far), (4, 100, far)):
+            first = part * 10_000_000 + 1
+            out.write(f"*PART\nplate\n{part:10}{part:10}         1\n*SECTION_SHELL\n{part:10}         2\n        1.\n*NODE\n")
+            for j in range(n + 1):
+                for i in range(n + 1):
+                    out.write(f"{first + j * (n + 1) + i:8}{5 * i:16}{5 * j:16}{z:16}\n")
+            out.write("*ELEMENT_SHELL\n")
+            for j in range(n):
+                for i in range(n):
+                    a = first + j * (n + 1) + i
+                    out.write(f"{first + j * n + i:8}{part:8}{a:8}{a + 1:8}{a + n + 2:8}{a + n + 1:8}\n")
+        out.write("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n         0         0         5\n\n\n*END\n")
+    return 2 * (near * near + far * far)
+
+
+def speed(gapcheck):
+    rows = ["| shells | nodes before | after | time | memory | time per node |", "|---:|---:|---:|---:|---:|---:|"]
+    with tempfile.TemporaryDirectory() as folder:
+        deck = pathlib.Path(folder) / "sheets.k"
+        for shells in (100_000, 300_000, 1_000_000):
+            shells = sheets(deck, shells)
+            before = found(gapcheck, deck)
+            fixed = pathlib.Path(folder) / "fixed"
+            seconds, _, memory = page.measure([gapcheck, "fix", str(deck), "-o", str(fixed), "--quiet"], 3)
+            after = found(gapcheck, fixed / deck.name)
+            rows.append(f"| {shells:,} | {before:,} | {after} | {seconds:.1f} s | {memory:.0f} MB | "
+                        f"{1e6 * seconds / before:.0f} µs |")
+    return "\n".join([*rows, "", page.machine() + "."])
 
 
 def main():
@@ -96,7 +157,9 @@ def main():
         raise SystemExit(__doc__)
     gapcheck = str(pathlib.Path(sys.argv[1]).resolve())
     text = PAGE.read_text()
-    text = page.section("example", text, example(gapcheck))
+    text = page.section("example", text, example(gapcheck, EXAMPLE))
+    text = page.section("plan", text, example(gapcheck, PLAN))
+    text = page.section("speed", text, speed(gapcheck))
     rows = []
     for deck in sorted((ROOT / "data").glob("*.k")):
         result = corrected(gapcheck, deck)
@@ -108,6 +171,7 @@ def main():
         rows = [row(name, corrected(gapcheck, decks / path, options)) for name, path, options in REAL]
         rows.append(shoes(gapcheck, decks))
         text = page.section("real", text, table(rows))
+        text = page.section("plans", text, plans(gapcheck, decks))
     PAGE.write_text(text)
 
 

@@ -54,7 +54,7 @@ int plan(const keyword::Deck& deck, const FixArguments& arguments, RepairPlan& p
     print(status.error());
     return failed;
   }
-  return plan.penetrating == 0 ? clean : findings;
+  return plan.penetrating + plan.too_far == 0 ? clean : findings;
 }
 
 /// Runs the deck as it is and as it is written.

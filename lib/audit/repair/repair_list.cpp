@@ -11,6 +11,7 @@
 #include "audit/fix/thickness_trial.hpp"
 #include "audit/repair/repair_trial.hpp"
 #include "audit/shared/free_thickness.hpp"
+#include "audit/shared/tied_contacts.hpp"
 #include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit {
@@ -125,6 +126,31 @@ Repair excluding(const RepairPair& pair) {
   return exclude;
 }
 
+/// The tied contacts with nodes that are too far away to tie.
+void add_ties(const model::Model& model, const contact::InitialState& state, std::vector<RepairPair>& pairs) {
+  const std::span<const contact::JudgedNode> judged = state.judged;
+  for (std::size_t begin = 0, end = 0; begin < judged.size(); begin = end) {
+    const ContactIndex position = judged[begin].contact;
+    while (end < judged.size() && judged[end].contact == position) ++end;
+    const auto far = far_nodes(model, judged.subspan(begin, end - begin));
+    if (!far) continue;
+    const model::Contact& contact = model.contact(position);
+    RepairPair pair;
+    pair.number = pairs.size() + 1;
+    pair.of_ties = true;
+    pair.parts.contact = contact.id.value;
+    pair.penetrations = far->count;
+    pair.deepest = far->farthest->distance;
+    pair.contact_distance = far->farthest->allowed;
+    Repair reach = repair(
+        pair, RepairKind::reach,
+        fmt::format("SST = {:.4g} in contact {}, which then reaches farther", -far->reach, pair.parts.contact), 1);
+    reach.settings.contact_thickness[position.value] = {-far->reach, contact.mst};
+    pair.repairs.push_back(std::move(reach));
+    pairs.push_back(std::move(pair));
+  }
+}
+
 }  // namespace
 
 std::vector<RepairPair> list_repairs(model::Model& model, const contact::InitialState& state) {
@@ -156,6 +182,7 @@ std::vector<RepairPair> list_repairs(model::Model& model, const contact::Initial
     std::ranges::stable_sort(pair.repairs, {}, &Repair::kind);
     pairs.push_back(std::move(pair));
   }
+  add_ties(model, state, pairs);
   return pairs;
 }
 

@@ -7,9 +7,9 @@
 
 namespace gapcheck::audit {
 
-/// The repairs of each pair of parts with penetrations, not yet tried, by contact and parts; kinds in the order of
-/// RepairKind. `state`: of the deck, with nodes not moved. Changes the model's thicknesses on the way and restores
-/// them.
+/// The repairs of each pair of parts with penetrations, not yet tried, by contact and parts, kinds in the order of
+/// RepairKind; behind them the tied contacts with nodes too far away to tie. `state`: of the deck, with nodes not
+/// moved. Changes the model's thicknesses on the way and restores them.
 [[nodiscard]] std::vector<RepairPair> list_repairs(model::Model& model, const contact::InitialState& state);
 
 }  // namespace gapcheck::audit

@@ -52,7 +52,7 @@ class Judge {
     const DeckState &now = deck.state, &then = start_.state;
     const DeckState::Count here = count(now);
     RepairOutcome outcome;
-    outcome.left = here.left;
+    outcome.left = pair_.of_ties ? too_far(now) : here.left;
     outcome.forgiven = here.forgiven;
     outcome.added = new_nodes(now);
     outcome.lost_ties = more(then.tied.size(), now.tied.size());
@@ -67,6 +67,11 @@ class Judge {
   }
 
  private:
+  [[nodiscard]] std::uint64_t too_far(const DeckState& state) const {
+    const auto found = state.too_far.find(pair_.parts.contact);
+    return found == state.too_far.end() ? 0 : found->second;
+  }
+
   [[nodiscard]] DeckState::Count count(const DeckState& state) const {
     const auto found = state.pairs.find(pair_.parts);
     return found == state.pairs.end() ? DeckState::Count{} : found->second;
@@ -209,10 +214,11 @@ Result<RepairPlan> plan_repairs(const keyword::Deck& deck, const FixOptions& opt
   RepairPlan plan;
   plan.pairs = start.value().pairs;
   plan.penetrating = start.value().state.all.left + start.value().state.all.forgiven;
+  plan.too_far = start.value().state.all_too_far();
   const RepairTrial trial(deck, start.value().model, options, reread);
   Planner(start.value(), trial, plan).run();
   if (plan.pairs.size() > most_repaired_pairs)
-    plan.notes.push_back(fmt::format("repairs of the first {} pairs of parts were tried; {} more have penetrations",
+    plan.notes.push_back(fmt::format("repairs of the first {} pairs of parts and ties were tried; there are {} more",
                                      most_repaired_pairs, plan.pairs.size() - most_repaired_pairs));
   return plan;
 }
@@ -237,6 +243,8 @@ Result<Repaired> apply_repairs(const keyword::Deck& deck, std::span<const std::s
   report.contacts = compared(start.state, after.state);
   report.ties_before = start.state.tied.size();
   report.ties_after = after.state.tied.size();
+  report.too_far_before = start.state.all_too_far();
+  report.too_far_after = after.state.all_too_far();
   report.moved = after.moves.moved.size();
   report.largest_move = after.moves.largest_move;
   report.lines = std::move(after.lines);

@@ -1,6 +1,7 @@
 #include "audit/repair/repair_trial.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "audit/fix/crossing_pairs.hpp"
 #include "audit/repair/repair_cards.hpp"
@@ -33,6 +34,11 @@ RepairParts parts_of(const model::Model& model, const Penetration& record) {
           std::max(record.part, record.element_part)};
 }
 
+std::uint64_t DeckState::all_too_far() const {
+  return std::accumulate(too_far.begin(), too_far.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& contact) { return sum + contact.second; });
+}
+
 contact::InitialState find_penetrations(const model::Model& model) {
   contact::InitialOptions options;
   options.nodes_stay = true;
@@ -56,8 +62,10 @@ DeckState judge_deck(model::Model& model) {
     for (DeckState::Count* count : {&state.pairs[parts], &state.all}) ++(kept ? count->forgiven : count->left);
     ++(kept ? contact.forgiven : contact.after);
   }
-  for (const contact::JudgedNode& node : found.judged)
+  for (const contact::JudgedNode& node : found.judged) {
     if (node.tied()) state.tied.push_back(model.mesh.nodes.id[node.node.value]);
+    if (node.reason == TieReason::too_far) ++state.too_far[model.contact(node.contact).id.value];
+  }
   std::sort(state.tied.begin(), state.tied.end());
   std::sort(state.nodes.begin(), state.nodes.end());
   state.crossings = crossing_pairs(model).size();

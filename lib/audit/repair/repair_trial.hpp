@@ -38,6 +38,8 @@ struct DeckState {
   std::vector<AppliedRepairs::Contact> contacts;  ///< counts in `after` and `forgiven`
   std::uint64_t crossings = 0;                    ///< pairs of elements
   std::vector<std::int64_t> tied;                 ///< nodes, ascending, once for each tie
+  std::map<std::int64_t, std::uint64_t> too_far;  ///< nodes of tied contacts that are too far away, by contact id
+  [[nodiscard]] std::uint64_t all_too_far() const;
 };
 
 /// True for all records but notes: nodes, segments and edges (GC101, GC102, GC107 to GC109).

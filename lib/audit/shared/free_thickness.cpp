@@ -167,12 +167,24 @@ bool solid_part(const model::Model& model, std::int64_t id) {
   return part != model.part_of_id.end() && solid_part(model, part->second);
 }
 
-double rounded_down(double value) {
+namespace {
+
+/// Four digits. `whole`: of a number between 1,000 and 10,000.
+double four_digits(double value, double (*whole)(double)) {
   // A quotient by a power of ten is the number that the decimal reads back as.
   const double places = 3 - std::floor(std::log10(value));
   const double unit = std::pow(10, std::abs(places));
-  const double digits = std::floor((places > 0 ? value * unit : value / unit) * (1 + 1e-12));
-  return places > 0 ? digits / unit : digits * unit;
+  return places > 0 ? whole(value * unit) / unit : whole(value / unit) * unit;
+}
+
+}  // namespace
+
+double rounded_down(double value) {
+  return four_digits(value, [](double digits) { return std::floor(digits * (1 + 1e-12)); });
+}
+
+double rounded_up(double value) {
+  return four_digits(value, [](double digits) { return std::ceil(digits * (1 - 1e-10)); });
 }
 
 std::vector<FreeCard> free_cards(const FreeCardScene& scene, std::span<const ContactIndex> contacts,

@@ -43,6 +43,8 @@ struct FreeThickness {
 
 /// Four digits, rounded down: the printed value must still be penetration-free.
 [[nodiscard]] double rounded_down(double value);
+/// The same rounded up, so that the printed value reaches as far; not for mere rounding.
+[[nodiscard]] double rounded_up(double value);
 
 /// The largest SST = MST with which a contact has no initial penetrations.
 struct FreeCard {

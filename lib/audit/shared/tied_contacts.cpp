@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "audit/grouped.hpp"
+#include "audit/shared/free_thickness.hpp"
 #include "audit/shared_results.hpp"
 
 namespace gapcheck::audit {
@@ -29,6 +32,27 @@ void for_each_tied_contact(Context& context,
     }
     first = end;
   }
+}
+
+std::optional<FarNodes> far_nodes(const model::Model& model, std::span<const contact::JudgedNode> nodes) {
+  FarNodes far;
+  double thickness = 0;
+  // Equally far but for rounding: the smallest id.
+  const auto before = [&](const contact::JudgedNode& a, const contact::JudgedNode& b) {
+    const double by = rough_weight(a.distance) - rough_weight(b.distance);
+    return by != 0 ? by > 0 : model.mesh.nodes.id[a.node.value] < model.mesh.nodes.id[b.node.value];
+  };
+  for (const contact::JudgedNode& node : nodes) {
+    if (!node.tied() && node.reason != TieReason::too_far) continue;
+    // Nodes that tie now must still tie when only thickness counts.
+    thickness = std::max(thickness, node.distance / contact::tie_thickness_share - node.segment_thickness);
+    if (node.tied()) continue;
+    ++far.count;
+    if (far.farthest == nullptr || before(node, *far.farthest)) far.farthest = &node;
+  }
+  if (far.count == 0 || !(thickness > 0) || !std::isfinite(thickness)) return std::nullopt;
+  far.reach = rounded_up(thickness);
+  return far;
 }
 
 std::string first_few(const std::vector<std::int64_t>& numbers) {

@@ -66,11 +66,18 @@ void changes(const std::vector<RepairLine>& lines, std::string_view indent, std:
   }
 }
 
+std::string heading(const RepairPair& pair) {
+  if (pair.of_ties)
+    return fmt::format("contact {}: {} too far away to tie, at most {:.6g} from the segment, where {:.6g} tie",
+                       pair.parts.contact, plural(pair.penetrations, "node"), pair.deepest, pair.contact_distance);
+  return fmt::format("contact {}, {} and {}: {}, at most {:.6g}{} deep{}", pair.parts.contact, part_name(pair.parts.a),
+                     part_name(pair.parts.b), plural(pair.penetrations, "penetration"), pair.deepest,
+                     pair.contact_distance > 0 ? fmt::format(" of {:.6g}", pair.contact_distance) : "",
+                     pair.released > 0 ? fmt::format(", {} released", pair.released) : "");
+}
+
 void pair_table(const RepairPair& pair, std::string& out) {
-  out += fmt::format("\n{}  contact {}, {} and {}: {}, at most {:.6g}{} deep", pair.number, pair.parts.contact,
-                     part_name(pair.parts.a), part_name(pair.parts.b), plural(pair.penetrations, "penetration"),
-                     pair.deepest, pair.contact_distance > 0 ? fmt::format(" of {:.6g}", pair.contact_distance) : "");
-  out += pair.released > 0 ? fmt::format(", {} released\n", pair.released) : "\n";
+  out += fmt::format("\n{}  {}\n", pair.number, heading(pair));
   constexpr std::array<Column, 5> columns{
       {{"repair", Align::left}, {"left"}, {"worse elsewhere"}, {"cost"}, {"what it does", Align::left}}};
   append_table(
@@ -92,12 +99,15 @@ void pair_table(const RepairPair& pair, std::string& out) {
 
 std::string last_line(const RepairPlan& plan) {
   const std::vector<std::string> best = plan.best();
-  std::string line =
-      fmt::format("{} in {} of parts", plural(plan.penetrating, "penetration"), plural(plan.pairs.size(), "pair"));
+  const auto ties = static_cast<std::uint64_t>(std::ranges::count(plan.pairs, true, &RepairPair::of_ties));
+  std::string line = fmt::format("{} in {} of parts", plural(plan.penetrating, "penetration"),
+                                 plural(plan.pairs.size() - ties, "pair"));
+  if (plan.too_far > 0)
+    line += fmt::format(", {} too far to tie in {}", plural(plan.too_far, "node"), plural(ties, "contact"));
   if (!plan.pairs.empty())
     line += best.empty() ? "; best: none without changing what the parts do to each other"
                          : fmt::format("; best: {}{}", fmt::join(best, ","),
-                                       best.size() < plan.pairs.size() ? " (none for the other pairs)" : "");
+                                       best.size() < plan.pairs.size() ? " (none for the others)" : "");
   return line + "\n";
 }
 
@@ -105,6 +115,9 @@ std::string last_line(const AppliedRepairs& applied) {
   std::string line =
       fmt::format("{}{}{} before, {} after", fmt::join(applied.ids, ","), applied.ids.empty() ? "" : ": ",
                   plural(applied.before(), "penetration"), applied.after());
+  if (applied.too_far_before + applied.too_far_after > 0)
+    line += fmt::format("; {} too far to tie before, {} after", plural(applied.too_far_before, "node"),
+                        applied.too_far_after);
   std::uint64_t lines = 0;
   for (const FixedFile& file : applied.files) lines += file.lines;
   line += lines == 0 ? "; nothing changed"
@@ -157,25 +170,29 @@ std::string plan_text(const RepairPlan& plan, const FixTextOptions& options) {
 }
 
 std::string plan_json(const RepairPlan& plan) {
-  Json json{{"schema", "gapcheck-fix-plan/1"}, {"input", plan.input}, {"pairs", Json::array()}};
+  Json json{
+      {"schema", "gapcheck-fix-plan/1"}, {"input", plan.input}, {"pairs", Json::array()}, {"ties", Json::array()}};
   for (const RepairPair& pair : plan.pairs) {
-    Json entry{{"number", pair.number},
-               {"contact", pair.parts.contact},
-               {"part", pair.parts.a},
-               {"other_part", pair.parts.b},
-               {"penetrations", pair.penetrations},
-               {"released", pair.released},
-               {"max_penetration", pair.deepest},
-               {"contact_distance", pair.contact_distance},
-               {"tried", pair.tried},
-               {"repairs", Json::array()}};
+    Json entry{{"number", pair.number}, {"contact", pair.parts.contact}};
+    if (pair.of_ties)
+      entry.update(
+          {{"too_far", pair.penetrations}, {"distance", pair.deepest}, {"tie_distance", pair.contact_distance}});
+    else
+      entry.update({{"part", pair.parts.a},
+                    {"other_part", pair.parts.b},
+                    {"penetrations", pair.penetrations},
+                    {"released", pair.released},
+                    {"max_penetration", pair.deepest},
+                    {"contact_distance", pair.contact_distance}});
+    entry["tried"] = pair.tried;
+    entry["repairs"] = Json::array();
     if (pair.tried)
       for (const Repair& repair : pair.repairs) entry["repairs"].push_back(repair_json(repair));
-    json["pairs"].push_back(std::move(entry));
+    json[pair.of_ties ? "ties" : "pairs"].push_back(std::move(entry));
   }
   json["best"] = plan.best();
   json["notes"] = plan.notes;
-  json["summary"] = {{"penetrations", plan.penetrating}, {"trials", plan.trials}};
+  json["summary"] = {{"penetrations", plan.penetrating}, {"too_far", plan.too_far}, {"trials", plan.trials}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -225,11 +242,10 @@ std::string applied_json(const AppliedRepairs& applied) {
     json["files"].push_back({{"path", file.path}, {"lines", file.lines}});
     if (!file.written.empty()) json["files"].back()["written"] = file.written;
   }
-  json["summary"] = {{"complete", applied.complete()},
-                     {"moved", applied.moved},
-                     {"largest_move", applied.largest_move},
-                     {"ties_before", applied.ties_before},
-                     {"ties_after", applied.ties_after}};
+  json["summary"] = {{"complete", applied.complete()},        {"moved", applied.moved},
+                     {"largest_move", applied.largest_move},  {"ties_before", applied.ties_before},
+                     {"ties_after", applied.ties_after},      {"too_far_before", applied.too_far_before},
+                     {"too_far_after", applied.too_far_after}};
   if (applied.proof) json["proof"] = proof_json(*applied.proof);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

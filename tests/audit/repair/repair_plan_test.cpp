@@ -79,6 +79,29 @@ TEST(RepairPlan, PenetrationsOfSegments) {
   }
 }
 
+// Nodes too far from their segment: a negative SST ties them all, and all that were tied before.
+TEST(RepairPlan, ATieThatReachesFarther) {
+  const std::string tie =
+      "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET_ID\n         3\n         2         1         3         3\n\n"
+      "        1.        1.        0.        0.\n";
+  RepairRun run(with_contacts(tie, Plate{.id = 1}, Plate{.id = 2, .z = 1.5}));
+  const RepairPlan plan = run.plan();
+  ASSERT_EQ(plan.pairs.size(), 1u);
+  const RepairPair& pair = plan.pairs[0];
+  EXPECT_TRUE(pair.of_ties);
+  EXPECT_EQ(plan.too_far, 16u);
+  EXPECT_EQ(pair.penetrations, 16u);
+  EXPECT_NEAR(pair.deepest, 1.5, 1e-12);
+  EXPECT_NEAR(pair.contact_distance, 1.2, 1e-12);
+  ASSERT_EQ(ids(pair), std::vector<std::string>{"1-reach"});
+  EXPECT_TRUE(pair.repairs[0].outcome.solves());
+  EXPECT_TRUE(plan.best().empty());
+  const std::string text = run.text({"1-reach"});
+  EXPECT_NE(text.find("        1.        1.      -1.5        0.\n"), std::string::npos) << text.substr(text.find(tie));
+  EXPECT_EQ(run_text(text).report.contacts.at(0).ties, 16u);
+  EXPECT_EQ(run_text(text).report.contacts.at(0).untied, 0u);
+}
+
 // Nobody but the user can say that parts are meant to be joined.
 TEST(RepairPlan, TheBestNeverJoinsOrSeparatesParts) {
   // No thickness helps so near to the mid-surface, and both parts are rigid, so that their nodes cannot move.
