@@ -155,7 +155,9 @@ std::string with_lines(std::string_view bytes, const LineIndex& index, std::span
     const std::string_view line = index.line(edit.line);
     const auto begin = static_cast<std::size_t>(line.data() - bytes.data());
     result.append(bytes.substr(copied, begin - copied));
-    const bool returns = bytes.substr(begin + line.size()).starts_with('\r');
+    // The last line may have no end: then that of the others.
+    const std::string_view behind = bytes.substr(begin + line.size());
+    const bool returns = behind.starts_with('\r') || (behind.empty() && bytes.find("\r\n") != std::string_view::npos);
     for (const char c : edit.text) {
       if (c == '\n' && returns) result += '\r';
       result += c;

@@ -16,12 +16,13 @@ std::vector<std::string> RepairPlan::best() const {
 
 std::uint64_t AppliedRepairs::before() const {
   return std::accumulate(contacts.begin(), contacts.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const Contact& c) { return sum + c.before; });
+                         [](std::uint64_t sum, const Contact& c) { return sum + c.before + c.forgiven_before; });
 }
 
 std::uint64_t AppliedRepairs::after() const {
-  return std::accumulate(contacts.begin(), contacts.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const Contact& c) { return sum + c.after; });
+  return std::accumulate(contacts.begin(), contacts.end(), std::uint64_t{0}, [&](std::uint64_t sum, const Contact& c) {
+    return sum + c.after + (forgives ? 0 : c.forgiven);
+  });
 }
 
 }  // namespace gapcheck

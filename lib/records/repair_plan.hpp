@@ -89,6 +89,7 @@ struct AppliedRepairs {
   std::vector<FixedFile> files;
   std::vector<std::string> notes;
   bool dry_run = false;
+  bool forgives = false;          ///< one of the repairs is IGNORE: what stays without force may stay
   std::optional<FixProof> proof;  ///< runs before and after, where they were asked for
   [[nodiscard]] std::uint64_t before() const;
   [[nodiscard]] std::uint64_t after() const;

@@ -201,6 +201,7 @@ void add_fix(CLI::App& app, Action& action) {
   command->add_flag("--free-welds", arguments->fix.free_welds,
                     "Nodes of spot welds, rivets and weld elements may move against each other");
   add_verify(*command, *arguments);
+  command->get_option("--plan")->excludes(command->get_option("-o"))->excludes(command->get_option("--verify"));
   add_plain_report(*command, arguments->format, arguments->output, arguments->text.top, "Nodes and pairs of parts",
                    arguments->text.quiet);
   command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");

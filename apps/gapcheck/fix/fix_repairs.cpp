@@ -132,7 +132,7 @@ int repair_deck(const FixArguments& arguments) {
   const std::map<std::string, std::string> no_texts;
   const auto deck = input.read(no_texts, diagnostics);
   if (!deck) return fail(deck.error());
-  std::vector<std::string> ids = arguments.apply;
+  std::vector<std::string> ids = arguments.apply, notes;
   if (ids.empty()) {
     auto listed = audit::plan_repairs(deck.value(), arguments.fix, reread, diagnostics);
     if (!listed) return fail(listed.error());
@@ -142,12 +142,15 @@ int repair_deck(const FixArguments& arguments) {
       return plan(deck.value(), arguments, listed.value());
     }
     ids = listed.value().best();
+    notes = listed.value().notes;
     progress.emplace("repairing " + report::printable(arguments.deck), !arguments.text.quiet);
   }
   Diagnostics repeated;
   auto repaired =
       audit::apply_repairs(deck.value(), ids, arguments.fix, reread, arguments.apply.empty() ? repeated : diagnostics);
   if (!repaired) return fail(repaired.error());
+  std::vector<std::string>& all = repaired.value().report.notes;
+  all.insert(all.begin(), notes.begin(), notes.end());
   progress.reset();
   print(diagnostics, arguments.text.quiet);
   if (diagnostics.has_errors()) return failed;

@@ -19,14 +19,16 @@ namespace {
 /// Contact and the ids of the parts, the smaller one first.
 using PairKey = std::tuple<ContactIndex, std::int64_t, std::int64_t>;
 
-FixAlternative by_optt(std::int64_t a, std::int64_t b, double thickness) {
+FixAlternative by_optt(const model::Model& model, std::int64_t a, std::int64_t b, double thickness) {
   FixAlternative alternative{fmt::format("OPTT = {:.4g} for both parts", thickness),
                              fmt::format("*PART_CONTACT  (card behind PID, SECID, MID of both parts)\n"
                                          "$       FS        FD        DC        VC      OPTT\n"
                                          "        0.        0.        0.        0.{:>10.4g}\n",
                                          thickness),
                              RepairKind::part_thickness};
-  alternative.settings.part_thickness = {{a, thickness}, {b, thickness}};
+  // Solids have no contact thickness of their own.
+  for (const std::int64_t part : {a, b})
+    if (!solid_part(model, part)) alternative.settings.part_thickness.emplace(part, thickness);
   return alternative;
 }
 
@@ -158,7 +160,7 @@ class Proposer {
     const double thickness = trial_.free_optt(position, a, b, records, records_of(state_, position));
     if (!(thickness > 0)) return;
     proposal.thickness = std::max(proposal.thickness, thickness);
-    proposal.alternatives.push_back(by_optt(a, b, thickness));
+    proposal.alternatives.push_back(by_optt(model_, a, b, thickness));
     proposal.alternatives.back().cost = given_away(model_, records, thickness);
     if (const auto thinner = trial_.sections(position, a, b, records, thickness)) {
       proposal.alternatives.push_back(by_sections(*thinner));

@@ -41,11 +41,10 @@ Status CardFields::set(const keyword::Block& block, std::uint32_t line, const ke
 }
 
 Status CardFields::set_text(const keyword::Block& block, std::uint32_t line, const keyword::CardLayout& layout,
-                            std::string_view field, std::string_view text) {
+                            std::string_view field, std::string_view text, bool moves) {
   const keyword::Card card = card_at(block, line, layout);
   const std::size_t index = layout.index(field);
-  // Of two sides that change places a parameter goes with its side.
-  const bool parameter = keyword::is_parameter_reference(card.written(index));
+  const bool parameter = moves && keyword::is_parameter_reference(card.written(index));
   if (Status status = keyword::check_replaceable(card, index); !status.ok() && !parameter)
     return error({block.file, line}, status.error().message);
   edits_.replace(block.file, line, keyword::with_text(card, index, text));

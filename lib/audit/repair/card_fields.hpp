@@ -28,8 +28,9 @@ class CardFields {
   /// Sets a field. Errors: check_replaceable().
   Status set(const keyword::Block& block, std::uint32_t line, const keyword::CardLayout& layout, std::string_view field,
              double value);
+  /// `moves`: of two fields that change places, where a parameter goes along.
   Status set_text(const keyword::Block& block, std::uint32_t line, const keyword::CardLayout& layout,
-                  std::string_view field, std::string_view text);
+                  std::string_view field, std::string_view text, bool moves = false);
   /// A new card of a block with numbers in some fields.
   [[nodiscard]] static std::string card(const keyword::Block& block, const keyword::CardLayout& layout,
                                         std::span<const std::pair<std::string_view, double>> values);

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "audit/repair/card_fields.hpp"
 #include "audit/repair/part_cards.hpp"
 #include "audit/shared/free_thickness.hpp"
-#include "base/number.hpp"
-#include "keyword/upper_case.hpp"
 #include "model/contact/contact_cards.hpp"
 
 namespace gapcheck::audit {
@@ -32,20 +31,33 @@ class ContactCards {
       fields_.edits().insert_behind(place().file, contact_.lines.last, cards);
       return {};
     }
-    for (const auto& [field, number] : {std::pair{"sast", value[0]}, std::pair{"sbst", value[1]}})
-      if (Status status = fields_.set(*block_, line, model::contact_card_layout("card3"), field, number); !status.ok())
+    for (const auto& [field, number, present] :
+         {std::tuple{"sast", value[0], contact_.sst}, std::tuple{"sbst", value[1], contact_.mst}})
+      if (number == present) {
+        continue;
+      } else if (Status status = fields_.set(*block_, line, model::contact_card_layout("card3"), field, number);
+                 !status.ok())
         return status;
     return {};
   }
 
-  Status ignore() {
+  /// `has_card3`: thickness() has been called, so that cards 2 and 3 are there.
+  Status ignore(bool has_card3) {
     if (Status status = prepare(); !status.ok()) return status;
     if (contact_.mpp_ignore)
       return fields_.set_text(*block_, contact_.lines.mpp, model::contact_card_layout("MPP1"), "ignore", "1");
     constexpr std::array<std::string_view, 2> before{"A", "B"};
     if (contact_.lines.optional[2] != 0)
       return fields_.set_text(*block_, contact_.lines.optional[2], model::contact_card_layout("C"), "ignore", "1");
+    // Cards that come before A, and whether there are any, depend on the type and the options of the keyword.
+    const model::ContactOptions& options = contact_.options;
+    if (!contact_.cards.missing.empty() && (contact_.kind->cards != model::TypeCards::none || options.thermal ||
+                                            options.thermal_friction || options.ortho_friction))
+      return fields_.error(place(),
+                           fmt::format("contact {} ends before {}", contact_.id.value, contact_.cards.missing));
     std::string cards;
+    if (contact_.lines.card2 == 0 && !has_card3) cards += first_zero("card2") + "\n";
+    if (contact_.lines.card3 == 0 && !has_card3) cards += first_zero("card3") + "\n";
     for (std::size_t i = 0; i < before.size(); ++i)
       if (contact_.lines.optional[i] == 0) cards += first_zero(before[i]) + "\n";
     cards +=
@@ -95,8 +107,8 @@ class ContactCards {
     const keyword::CardLayout& layout = model::contact_card_layout(card);
     const std::string one = fields_.written(*block_, line, layout, a), two = fields_.written(*block_, line, layout, b);
     if (one == two) return {};
-    if (Status status = fields_.set_text(*block_, line, layout, a, two); !status.ok()) return status;
-    return fields_.set_text(*block_, line, layout, b, one);
+    if (Status status = fields_.set_text(*block_, line, layout, a, two, true); !status.ok()) return status;
+    return fields_.set_text(*block_, line, layout, b, one, true);
   }
 
   CardFields& fields_;
@@ -105,34 +117,52 @@ class ContactCards {
 };
 
 /// Puts keywords before *END of the main file, or at its end.
-void append_keywords(const std::string& text, DeckEdits& edits) {
+void append_keywords(const keyword::Deck& deck, const std::string& text, DeckEdits& edits) {
   const FileIndex main{0};
-  const auto last = static_cast<std::uint32_t>(edits.lines(main));
-  for (std::uint32_t number = 1; number <= last; ++number) {
-    const std::string_view line = edits.line(main, number);
-    if (line.starts_with('*') && keyword::upper_case(trimmed(line)) == "*END")
-      return edits.insert_before(main, number, text);
-  }
-  edits.insert_behind(main, last, text);
+  for (const keyword::Block& block : deck.blocks())
+    if (block.file == main && block.name == "END") return edits.insert_before(main, block.line, text);
+  edits.insert_behind(main, static_cast<std::uint32_t>(edits.lines(main)), text);
 }
 
-std::string exclusion(std::int64_t id, const RepairParts& parts) {
+/// What new keywords of the main file need behind their names, since their cards have the standard format.
+std::string_view suffix_of(const keyword::Deck& deck) {
+  bool long_fields = false;
+  for (const keyword::Block& block : deck.blocks())
+    if (block.file == FileIndex{0} && block.name == "KEYWORD")
+      long_fields = block.format == keyword::Format::long_fields;
+  return long_fields ? "-" : "";
+}
+
+/// The largest CEID of the deck.
+std::int64_t last_exclusion(const keyword::Deck& deck) {
+  std::int64_t last = 0;
+  Diagnostics ignored;
+  for (const keyword::Block& block : deck.blocks()) {
+    if (!block.name.starts_with(model::exclusion_keyword)) continue;
+    keyword::CardReader reader(deck, block, ignored);
+    last = std::max(last, reader.next(keyword::card_layout(model::exclusion_keyword, "card1")).integer("ceid"));
+  }
+  return last;
+}
+
+std::string exclusion(std::int64_t id, const RepairParts& parts, std::string_view suffix) {
   return fmt::format(
-      "*{}\n$     CEID       CID\n{:>10}{:>10}\n$     SIDA      SIDB     TYPEA     TYPEB\n{:>10}{:>10}         3       "
+      "*{}{}\n$     CEID       CID\n{:>10}{:>10}\n$     SIDA      SIDB     TYPEA     TYPEB\n{:>10}{:>10}         3     "
+      "  "
       "  3",
-      model::exclusion_keyword, id, parts.contact, parts.a, parts.b);
+      model::exclusion_keyword, suffix, id, parts.contact, parts.a, parts.b);
 }
 
 /// With an offset, so that rigid parts and parts that do not touch may be joined.
-std::string tied_contact(std::int64_t id, const RepairParts& parts, bool solids) {
+std::string tied_contact(std::int64_t id, const RepairParts& parts, bool solids, std::string_view suffix) {
   const std::string keyword = solids ? model::recommended_keyword(model::ContactCode::tied_surface)
                                            .append(model::suffix(model::TieOffset::penalty))
                                      : model::recommended_keyword(model::ContactCode::tied_shell_edge)
                                            .append(model::suffix(model::TieOffset::beam));
   return fmt::format(
-      "{}_ID\n{:>10} part {} tied to part {}\n$    SURFA     SURFB  SURFATYP  SURFBTYP\n"
+      "{}_ID{}\n{:>10} part {} tied to part {}\n$    SURFA     SURFB  SURFATYP  SURFBTYP\n"
       "{:>10}{:>10}         3         3\n        0.\n        1.",
-      keyword, id, parts.a, parts.b, parts.a, parts.b);
+      keyword, suffix, id, parts.a, parts.b, parts.a, parts.b);
 }
 
 /// Keywords that the deck does not have yet.
@@ -140,23 +170,24 @@ Status write_keywords(const keyword::Deck& deck, const model::Model& model, cons
                       DeckEdits& edits) {
   std::string text;
   const auto add = [&](const std::string& keyword) { text += (text.empty() ? "" : "\n") + keyword; };
-  std::int64_t exclusions = 0, contacts = 0;
-  for (const keyword::Block& block : deck.blocks())
-    exclusions += block.name.starts_with(model::exclusion_keyword) ? 1 : 0;
+  const std::string_view suffix = suffix_of(deck);
+  std::int64_t exclusions = last_exclusion(deck), contacts = 0;
   for (const model::Contact& contact : model.contacts) contacts = std::max(contacts, contact.id.value);
   for (const RepairParts& parts : settings.tied) {
     const auto solid = [&](std::int64_t id) {
       const auto part = model.part_of_id.find(id);
       return part != model.part_of_id.end() && solid_part(model, PartIndex{part->second});
     };
-    add(tied_contact(++contacts, parts, solid(parts.a) && solid(parts.b)));
+    add(tied_contact(++contacts, parts, solid(parts.a) && solid(parts.b), suffix));
   }
   std::set<RepairParts> excluded = settings.excluded;
   excluded.insert(settings.tied.begin(), settings.tied.end());
-  for (const RepairParts& parts : excluded) add(exclusion(++exclusions, parts));
+  for (const RepairParts& parts : excluded) add(exclusion(++exclusions, parts, suffix));
   if (text.empty()) return {};
+  constexpr std::int64_t largest = 9'999'999'999;  // of ten columns
+  if (exclusions > largest || contacts > largest) return plain_error("no id is left for a new keyword");
   if (Status status = edits.check(FileIndex{0}); !status.ok()) return status;
-  append_keywords(text, edits);
+  append_keywords(deck, text, edits);
   return {};
 }
 
@@ -173,7 +204,8 @@ Status write_cards(const keyword::Deck& deck, const model::Model& model, const R
   for (const auto& [contact, thickness] : settings.contact_thickness)
     if (Status status = cards(contact).thickness(thickness); !status.ok()) return status;
   for (const std::uint32_t contact : settings.ignore)
-    if (Status status = cards(contact).ignore(); !status.ok()) return status;
+    if (Status status = cards(contact).ignore(settings.contact_thickness.contains(contact)); !status.ok())
+      return status;
   if (Status status = write_part_thickness(fields, model, settings.part_thickness); !status.ok()) return status;
   if (Status status = write_section_thickness(fields, model, settings.section_thickness); !status.ok()) return status;
   return write_keywords(deck, model, settings, edits);

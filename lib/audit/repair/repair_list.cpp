@@ -86,6 +86,10 @@ std::map<RecordsKey, PairRecords> records_by_pair(const model::Model& model, con
   return pairs;
 }
 
+std::string optt_of_one(std::int64_t part, double thickness) {
+  return fmt::format("OPTT = {:.4g} for part {}", thickness, part);
+}
+
 /// Thicknesses for penetrations of segments and edges alone, which propose() does not look at. `alone`: no other parts
 /// penetrate in the contact.
 void add_thicknesses(const model::Model& model, ContactIndex position, const PairRecords& records, bool alone,
@@ -99,8 +103,11 @@ void add_thicknesses(const model::Model& model, ContactIndex position, const Pai
   const double thickness = rounded_down(free.value);
   const double cost = given_away(model, records.all, thickness);
   Repair parts = repair(pair, RepairKind::part_thickness, fmt::format("OPTT = {:.4g} for both parts", thickness), cost);
-  parts.settings.part_thickness = {{pair.parts.a, thickness}, {pair.parts.b, thickness}};
-  pair.repairs.push_back(std::move(parts));
+  for (const std::int64_t part : {pair.parts.a, pair.parts.b})
+    if (!solid_part(model, part)) parts.settings.part_thickness.emplace(part, thickness);
+  if (parts.settings.part_thickness.size() == 1)
+    parts.text = optt_of_one(parts.settings.part_thickness.begin()->first, thickness);
+  if (!parts.settings.part_thickness.empty()) pair.repairs.push_back(std::move(parts));
   if (!alone) return;
   const bool single = contact::classify(model.contact(position)).treatment == contact::Treatment::single_surface;
   Repair card =
@@ -116,6 +123,8 @@ void add_alternatives(std::vector<FixAlternative> alternatives, RepairPair& pair
   for (FixAlternative& alternative : alternatives) {
     Repair other = repair(pair, alternative.kind, std::move(alternative.text), alternative.cost);
     other.settings = std::move(alternative.settings);
+    if (const auto& parts = other.settings.part_thickness; parts.size() == 1)
+      other.text = optt_of_one(parts.begin()->first, parts.begin()->second);
     pair.repairs.push_back(std::move(other));
   }
 }

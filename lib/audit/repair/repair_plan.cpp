@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -31,6 +32,12 @@ Result<Start> begin(const keyword::Deck& deck, Diagnostics& diagnostics) {
   if (diagnostics.has_errors()) return plain_error("the deck has errors; correct them first");
   Start start;
   start.model = std::move(model).value();
+  std::set<std::int64_t> ids;
+  for (const model::Contact& contact : start.model.contacts)
+    if (!ids.insert(contact.id.value).second)
+      return Diagnostic{Severity::error, deck.file(contact.place.file).path, contact.place.line,
+                        fmt::format("another contact has the id {}; give each its own, since repairs are chosen by id",
+                                    contact.id.value)};
   start.state = judge_deck(start.model);
   start.found = find_penetrations(start.model);
   start.pairs = list_repairs(start.model, start.found);
@@ -52,8 +59,10 @@ class Judge {
     const DeckState &now = deck.state, &then = start_.state;
     const DeckState::Count here = count(now);
     RepairOutcome outcome;
-    outcome.left = pair_.of_ties ? too_far(now) : here.left;
-    outcome.forgiven = here.forgiven;
+    // Only IGNORE itself means that penetrations stay.
+    const bool forgives = !settings.ignore.empty();
+    outcome.left = pair_.of_ties ? too_far(now) : here.left + (forgives ? 0 : here.forgiven);
+    outcome.forgiven = forgives ? here.forgiven : 0;
     outcome.added = new_nodes(now);
     outcome.lost_ties = more(then.tied.size(), now.tied.size());
     for (const RepairParts& tie : settings.tied) outcome.untied += untied(tie.a, now);
@@ -77,16 +86,11 @@ class Judge {
     return found == state.pairs.end() ? DeckState::Count{} : found->second;
   }
 
-  /// Nodes that penetrate other parts than the two, and penetrated nothing before in the same contact.
+  /// Nodes that penetrate other parts than the two, and did not penetrate these before in the same contact.
   [[nodiscard]] std::uint64_t new_nodes(const DeckState& state) const {
     const auto& before = start_.state.nodes;
-    return static_cast<std::uint64_t>(std::count_if(state.nodes.begin(), state.nodes.end(), [&](const auto& now) {
-      const auto known = std::lower_bound(before.begin(), before.end(), DeckState::Node{now.contact, now.node, {}},
-                                          [](const DeckState::Node& a, const DeckState::Node& b) {
-                                            return std::pair(a.contact, a.node) < std::pair(b.contact, b.node);
-                                          });
-      const bool is_new = known == before.end() || known->contact != now.contact || known->node != now.node;
-      return is_new && now.parts != pair_.parts;
+    return static_cast<std::uint64_t>(std::ranges::count_if(state.nodes, [&](const DeckState::Node& now) {
+      return now.parts != pair_.parts && !std::ranges::binary_search(before, now);
     }));
   }
 
@@ -240,6 +244,7 @@ Result<Repaired> apply_repairs(const keyword::Deck& deck, std::span<const std::s
   Repaired repaired;
   AppliedRepairs& report = repaired.report;
   report.ids.assign(ids.begin(), ids.end());
+  report.forgives = !settings.ignore.empty();
   report.contacts = compared(start.state, after.state);
   report.ties_before = start.state.tied.size();
   report.ties_after = after.state.tied.size();

@@ -98,6 +98,22 @@ TEST(RepairCards, IgnoreWhateverCardsThereAre) {
   }
 }
 
+TEST(RepairCards, IgnoreInContactsThatEndEarly) {
+  const std::string name = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n         0         0         5\n";
+  for (const std::string& cards : {std::string(), std::string("\n"), std::string("\n\n")}) {
+    const Written written = write(with_contact(name + cards), ignore());
+    ASSERT_EQ(written.error, "");
+    EXPECT_EQ(written.model.contacts.at(0).ignore, 1) << written.text;
+    EXPECT_EQ(written.model.contacts.at(0).soft, 0) << written.text;
+  }
+  EXPECT_NE(write(with_contact("*CONTACT_ERODING_SINGLE_SURFACE\n         0         0         5\n\n\n"), ignore())
+                .error.find("ends before card 4"),
+            std::string::npos);
+  const Written parameter = write(
+      "*KEYWORD\n*PARAMETER\nIign            0\n" + mesh + name + "\n\n\n\n         1      &ign\n*END\n", ignore());
+  EXPECT_NE(parameter.error.find("&ign is a parameter"), std::string::npos) << parameter.error;
+}
+
 TEST(RepairCards, IgnoreOfTheMppCardComesFirst) {
   const Written written = write(
       with_contact("*CONTACT_AUTOMATIC_SINGLE_SURFACE_MPP\n         0       200\n         0         0         5\n\n\n"),
@@ -185,8 +201,8 @@ TEST(RepairCards, ExclusionsAndTiesComeBeforeTheEnd) {
   RepairSettings settings;
   settings.excluded = {{1, 1, 2}};
   settings.tied = {{1, 2, 1}};
-  for (const std::string& end :
-       {std::string("*END\n"), std::string("*End\nbehind it\n"), std::string(), std::string("*END")}) {
+  for (const std::string& end : {std::string("*END\n"), std::string("*End\nbehind it\n"),
+                                 std::string("*END  of the deck\n"), std::string(), std::string("*END")}) {
     const Written written = write("*KEYWORD\n" + mesh + single_surface + end, settings);
     ASSERT_EQ(written.error, "");
     EXPECT_EQ(written.model.exclusions.size(), 2u) << written.text;
