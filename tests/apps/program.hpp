@@ -49,6 +49,22 @@ class Program : public FolderTest {
   [[nodiscard]] Ended gapcheck(const std::string& arguments) const { return shell(GAPCHECK_PROGRAM " " + arguments); }
   [[nodiscard]] Ended check_c(const std::string& arguments) const { return shell(CHECK_C_PROGRAM " " + arguments); }
 
+  /// Expects that a page of docs/ shows, between marks of a name, calls and what they print. How many there are.
+  [[nodiscard]] int examples_hold(const std::string& page_name, const std::string& name) const {
+    const std::string page = content(project / "docs" / page_name),
+                      begin = "<!-- " + name + ": begin -->\n```\n$ gapcheck ";
+    int examples = 0;
+    for (std::size_t from = page.find(begin); from != std::string::npos;
+         from = page.find(begin, from + 1), ++examples) {
+      const std::size_t line = page.find('\n', from + begin.size());
+      const std::size_t end = page.find("```\n<!-- " + name + ": end -->", line);
+      if (end == std::string::npos) return -1;
+      const std::string call = page.substr(from + begin.size(), line - from - begin.size());
+      EXPECT_EQ(gapcheck(call).out, page.substr(line + 1, end - line - 1)) << call;
+    }
+    return examples;
+  }
+
   /// Copies the files of a fixture into the folder.
   void use(const std::string& fixture) const {
     std::filesystem::copy(fixtures / fixture, folder_, std::filesystem::copy_options::recursive);

@@ -56,18 +56,7 @@ TEST_F(StartProgram, TextHasAScoreForEachContact) {
   EXPECT_EQ(std::count(quiet.out.begin(), quiet.out.end(), '\n'), 1) << quiet.out;
 }
 
-TEST_F(StartProgram, ThePageShowsWhatIsPrinted) {
-  const std::string page = content(project / "docs/start.md"), begin = "<!-- example: begin -->\n```\n$ ";
-  int examples = 0;
-  for (std::size_t from = page.find(begin); from != std::string::npos; from = page.find(begin, from + 1), ++examples) {
-    const std::size_t line = page.find('\n', from + begin.size()), end = page.find("```\n<!-- example: end -->", line);
-    ASSERT_NE(end, std::string::npos);
-    const std::string call = page.substr(from + begin.size(), line - from - begin.size());
-    ASSERT_EQ(call.rfind("gapcheck ", 0), 0u) << call;
-    EXPECT_EQ(gapcheck(call.substr(9)).out, page.substr(line + 1, end - line - 1));
-  }
-  EXPECT_EQ(examples, 2);
-}
+TEST_F(StartProgram, ThePageShowsWhatIsPrinted) { EXPECT_EQ(examples_hold("start.md", "example"), 2); }
 
 TEST_F(StartProgram, WhatWillBeLostIsInTextAndJsonIfSomethingMoves) {
   EXPECT_FALSE(json("data/ignore_0.k").contains("expected"));

@@ -49,7 +49,7 @@ class PartBlock {
   PartBlock(CardFields& fields, const model::Model& model, const keyword::Block& block)
       : fields_(fields), block_(block) {
     for (const model::Part& part : model.parts)
-      if (part.place.file == block.file && fields.block(part.place) == &block) cards_.insert(part.place.line);
+      if (part.place.file == block.file) cards_.insert(part.place.line);
   }
 
   Status write(const std::map<std::uint32_t, double>& thickness) {
@@ -96,7 +96,7 @@ class PartBlock {
 
   CardFields& fields_;
   const keyword::Block& block_;
-  std::set<std::uint32_t> cards_;
+  std::set<std::uint32_t> cards_;  ///< lines of all parts of the file, also of those in other blocks
 };
 
 /// The line behind one of a block; 0: there is none.

@@ -38,8 +38,8 @@ Result<Start> begin(const keyword::Deck& deck, Diagnostics& diagnostics) {
       return Diagnostic{Severity::error, deck.file(contact.place.file).path, contact.place.line,
                         fmt::format("another contact has the id {}; give each its own, since repairs are chosen by id",
                                     contact.id.value)};
-  start.state = judge_deck(start.model);
   start.found = find_penetrations(start.model);
+  start.state = judge_deck(start.model, start.found);
   start.pairs = list_repairs(start.model, start.found);
   return start;
 }

@@ -49,8 +49,7 @@ contact::InitialState find_penetrations(const model::Model& model) {
   return contact::initialise_contacts(model, surfaces, options, counters);
 }
 
-DeckState judge_deck(model::Model& model) {
-  const contact::InitialState found = find_penetrations(model);
+DeckState judge_deck(const model::Model& model, const contact::InitialState& found) {
   DeckState state;
   for (const model::Contact& contact : model.contacts) state.contacts.push_back({contact.id.value, contact.keyword});
   for (const Penetration& record : found.penetrations) {
@@ -85,7 +84,7 @@ Result<RepairedDeck> RepairTrial::of(const RepairSettings& settings) const {
   Result<keyword::Deck> deck = plain_error("");
   auto model = read(reread_, repaired.texts, deck);
   if (!model) return model.error();
-  repaired.state = judge_deck(model.value());
+  repaired.state = judge_deck(model.value(), find_penetrations(model.value()));
   return repaired;
 }
 

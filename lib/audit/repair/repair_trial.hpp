@@ -51,8 +51,8 @@ struct DeckState {
 /// The parts of a record, the smaller id first.
 [[nodiscard]] RepairParts parts_of(const model::Model& model, const Penetration& record);
 
-/// Judges a model.
-[[nodiscard]] DeckState judge_deck(model::Model& model);
+/// Judges a model. `found`: what find_penetrations() finds in it.
+[[nodiscard]] DeckState judge_deck(const model::Model& model, const contact::InitialState& found);
 
 /// A repaired deck.
 struct RepairedDeck {
