@@ -19,6 +19,9 @@ if(GAPCHECK_TWIN_COMPILER)
   endif()
   set(GAPCHECK_TWIN_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/use_instead.sh "${command}")
 endif()
+# Rooms that print, read or pass on: without optimisation the compiler needs a third of the time, and their tests no more.
+set(GAPCHECK_LIGHT_TWINS gapcheck_base gapcheck_records gapcheck_results gapcheck_report gapcheck_api gapcheck_apps
+    gapcheck_commands gapcheck_manual_text gapcheck_check_c_arguments)
 # Compiled file by file, so that no file misses an include.
 set(GAPCHECK_PLAIN_TWINS gapcheck_base gapcheck_records gapcheck_keyword)
 
@@ -116,6 +119,9 @@ function(gapcheck_twin_library target kind)
   set_target_properties(${twin} PROPERTIES CXX_COMPILER_LAUNCHER "${GAPCHECK_TWIN_LAUNCHER}")
   # The plain library has told its warnings.
   target_compile_options(${twin} PRIVATE ${GAPCHECK_TWIN_${kind}} -w)
+  if(target IN_LIST GAPCHECK_LIGHT_TWINS)
+    target_compile_options(${twin} PRIVATE -O0)
+  endif()
   if(target IN_LIST GAPCHECK_PLAIN_TWINS AND kind STREQUAL sanitized)
     set_target_properties(${twin} PROPERTIES UNITY_BUILD OFF)
   endif()

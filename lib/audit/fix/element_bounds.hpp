@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "audit/fix/crossing_pairs.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 #include "contact/mesh/mesh_index.hpp"
 #include "contact/stiffness/element_timestep.hpp"
 #include "model/model.hpp"

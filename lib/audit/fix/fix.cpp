@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -192,10 +193,19 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   report.files = model.files;
   const UnreadConstraints unread = unread_constraints(deck, model);
   const model::Links links = model::read_links(deck, model, diagnostics);
-  Freedoms freedoms = find_freedoms(model, options.locks, options.priorities, unread.held,
-                                    JoinedNodes(model, links.joined, !options.free_welds));
-  Mover mover(model, lines, bounds, x, std::move(freedoms), links.hanging, options);
-  mover.run();
+  const Freedoms freedoms = find_freedoms(model, options.locks, options.priorities, unread.held,
+                                          JoinedNodes(model, links.joined, !options.free_welds));
+  const auto moved_by = [&](Mover::Crossings crossings) {
+    model.mesh.nodes.x = x;
+    auto one = std::make_unique<Mover>(model, lines, bounds, x, freedoms, links.hanging, options, crossings);
+    one->run();
+    return one;
+  };
+  // Without crossings both do the same; where nothing can be untangled, nodes keep to their sides.
+  const bool untangle = options.untangle && !options.recommended;
+  std::unique_ptr<Mover> first = moved_by(untangle ? Mover::Crossings::untangle : Mover::Crossings::stay);
+  if (untangle && first->crossings_before() > 0 && !first->has_untangled()) first = moved_by(Mover::Crossings::stay);
+  Mover& mover = *first;
   const std::vector<NodeIndex> moved = mover.moved();
   report.crossings_before = mover.crossings_before();
   report.crossings_after = mover.crossings_after();

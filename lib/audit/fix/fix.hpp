@@ -20,6 +20,7 @@ struct FixOptions {
   /// --recommended: nodes of contacts with IGNORE = 2 go where the solver recommends, and nothing else moves.
   bool recommended = false;
   bool proposals = true;    ///< what could be done instead of moving nodes is searched, too
+  bool untangle = true;     ///< elements that cross are separated where it is clear which of them is on the wrong side
   bool free_welds = false;  ///< --free-welds: nodes of spot welds, rivets and weld elements may move against each other
   ShapeLimits limits;
   std::uint32_t rounds = 40;  ///< searches of the contacts at most

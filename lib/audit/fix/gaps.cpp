@@ -45,6 +45,19 @@ GapState measure_line(const Gap& gap, const geometry::Facet& facet, const Vector
   return state;
 }
 
+/// Asks `skip` about the node and the segment of a record.
+bool skips(const model::Mesh& mesh, const Penetration& record, const Gaps::Skip& skip) {
+  const auto node = mesh.nodes.lookup.find(record.node);
+  if (!node) return false;
+  model::SegmentNodes corners{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto corner = mesh.nodes.lookup.find(record.segment[i]);
+    if (!corner) return false;
+    corners[i] = NodeIndex{*corner};
+  }
+  return skip(NodeIndex{*node}, corners);
+}
+
 }  // namespace
 
 GapState measure_gap(const Gap& gap, const std::vector<Vector>& x) {
@@ -104,10 +117,22 @@ void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSu
   gap.side = (distance < 0 ? -height : height) < 0 ? -1 : 1;
 }
 
+void Gaps::add(const model::Mesh& mesh, const Gap& gap, double depth) {
+  std::array<std::int64_t, 4> segment{};
+  for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh.nodes.id[gap.corners[i].value];
+  const auto [place, fresh] = position_.emplace(Key{gap.contact.value, gap.node.value, segment}, gaps_.size());
+  if (fresh) gaps_.push_back(gap);
+  Gap& kept = gaps_[place->second];
+  kept.side = gap.side;
+  kept.deepest = std::max(kept.deepest, depth);
+  kept.clearance = std::max(kept.clearance, (contact::shooting_move - 1) * kept.deepest);
+}
+
 void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
-               const std::vector<Vector>& x) {
+               const std::vector<Vector>& x, const Skip& skip) {
   for (const Penetration& record : state.penetrations) {
     if (!to_be_fixed(record.kind)) continue;
+    if (skip && skips(model.mesh, record, skip)) continue;
     if (Gap* known = find(model, record); known != nullptr) {
       if (++known->seen > patience) known->clearance += 2 * record.depth;
       known->deepest = std::max(known->deepest, record.depth);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -49,8 +50,16 @@ class Gaps {
   explicit Gaps(contact::MeshIndex& index) : index_(index) {}
   /// Adds the nodes that penetrate (even too deep ones) in a state of the contacts. `surfaces`: of the same model on
   /// the same coordinates `x`. Gaps found too small repeatedly get more clearance, because of rounding.
+  /// `skip`: nodes and segments whose side is decided elsewhere; empty: none.
+  using Skip = std::function<bool(NodeIndex node, const model::SegmentNodes& segment)>;
   void add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
-           const std::vector<Vector>& x);
+           const std::vector<Vector>& x, const Skip& skip = {});
+  /// Adds a gap whose side is known, or gives it this side. `depth`: how far it is from open.
+  void add(const model::Mesh& mesh, const Gap& gap, double depth);
+  void clear() {
+    gaps_.clear();
+    position_.clear();
+  }
   /// Drops gaps to segments that the node is joined to: around a weld the sheets cannot separate.
   void give_up(const JoinedNodes& joined);
   [[nodiscard]] std::vector<Gap>& list() { return gaps_; }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "audit/fix/crossing_pairs.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 #include "audit/fix/gaps.hpp"
 #include "audit/fix/held_ties.hpp"
 #include "audit/fix/least_movement.hpp"

@@ -15,6 +15,7 @@ struct WorkBudget {
   std::uint64_t done = 0, most = 0;
   void allow(std::uint64_t more) { most = done + more; }
   [[nodiscard]] bool used_up() const { return done > most; }
+  [[nodiscard]] std::uint64_t left() const { return used_up() ? 0 : most - done; }
 };
 
 /// Solves for the least movement that meets all conditions at some coordinates. Conditions that nothing can meet are

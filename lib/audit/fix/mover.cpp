@@ -18,7 +18,8 @@ constexpr double settled_share = 1e-4;
 }  // namespace
 
 Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const std::vector<Vector>& deck_x,
-             Freedoms freedoms, const std::vector<model::HangingNode>& hanging, const FixOptions& options)
+             Freedoms freedoms, const std::vector<model::HangingNode>& hanging, const FixOptions& options,
+             Crossings crossings)
     : model_(model),
       bounds_(bounds),
       hanging_(hanging),
@@ -27,19 +28,22 @@ Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const
       start_{deck_x, deck_x, std::move(freedoms)},
       writable_(lines, deck_x),
       conditions_(bounds.index()),
-      solver_(model.mesh, start_, conditions_, writable_, bounds, budget_) {}
+      solver_(model.mesh, start_, conditions_, writable_, bounds, budget_),
+      crossings_(crossings) {}
 
 void Mover::run() {
   before_ = judge(start_.deck);
   crossings_before_ = crossing_pairs(model_);
   if (options_.recommended) return move_as_recommended();
-  start_again();
   start_on_ties();
+  start_again();
+  untangle(options_.work);
   search(options_.work);
   // Elements that would cross are held, and the others must move without them.
   bool crossed = hold_new_crossings();
   for (int attempt = 0; crossed && attempt < crossing_attempts; ++attempt) {
     start_again();
+    untangle(options_.work / crossing_attempts);
     search(options_.work / crossing_attempts);
     crossed = hold_new_crossings();
   }
@@ -90,6 +94,8 @@ void Mover::start_on_ties() {
 }
 
 void Mover::start_again() {
+  begin_ = start_.x;
+  if (crossings_ == Crossings::untangle) conditions_.gaps().clear();
   best_ = {start_.deck, start_.deck, before_};
   for (Gap& gap : conditions_.gaps().list()) {
     gap.multiplier = 0;
@@ -97,11 +103,43 @@ void Mover::start_again() {
   }
 }
 
+/// Brings pieces of surfaces back to their side, until nothing crosses or fewer crossings are not to be had: the next
+/// search begins there. `work`: limit, except for the step that exceeds it.
+void Mover::untangle(std::uint64_t work) {
+  if (crossings_ != Crossings::untangle) return;
+  budget_.allow(work);
+  std::size_t fewest = crossings_before_.size();
+  std::uint32_t progress = 0;
+  std::vector<Vector> x = start_.x;
+  for (std::uint32_t round = 1; round <= options_.rounds && !budget_.used_up(); ++round) {
+    ++rounds_;
+    const std::vector<Vector> written = writable_.written(x);
+    const Judgement now = judge(written);
+    if (round == 1) conditions_.set_ties(ties_at(now, written));
+    const auto crossings = contact_crossings(model_, judge_.surfaces(), written);
+    if (crossings.size() < fewest) {
+      fewest = crossings.size();
+      begin_ = x;
+      progress = round;
+    }
+    if (crossings.empty() || round - progress > stubborn) return;
+    std::uint64_t steps = budget_.left();
+    const Untangling untangling(model_, judge_.surfaces(), written, crossings, left_alone_, steps);
+    budget_.done += budget_.left() - steps;
+    if (!untangling.any()) return;
+    conditions_.gaps().add(model_, judge_.surfaces(), now.state, written,
+                           [&](NodeIndex n, const model::SegmentNodes& s) { return untangling.at_crossing(n, s); });
+    untangling.add_to(conditions_.gaps(), model_.mesh);
+    conditions_.gaps().give_up(start_.freedoms.joined);
+    x = solver_.solve(x);
+  }
+}
+
 /// `work`: limit, except for the step that exceeds it.
 void Mover::search(std::uint64_t work) {
   budget_.allow(work);
   Gaps& gaps = conditions_.gaps();
-  std::vector<Vector> x = start_.x;
+  std::vector<Vector> x = begin_;
   std::uint32_t progress = 0;
   bool settled = false;
   for (std::uint32_t round = 1; round <= options_.rounds; ++round) {
@@ -159,6 +197,15 @@ bool Mover::hold_new_crossings() {
       for (const NodeIndex n : nodes_of(model_.mesh, element))
         if (best_.written[n.value] != start_.deck[n.value]) start_.hold_in_deck(n, HoldReason::crossing);
   }
+  return leave_crossings_alone(now) || any;
+}
+
+/// Crossings that could not be undone, and moved on the way, stay as they are in the next search. True if there are
+/// any.
+bool Mover::leave_crossings_alone(const std::set<ElementPair>& now) {
+  if (crossings_ != Crossings::untangle) return false;
+  bool any = false;
+  for (const ElementPair& pair : now) any |= left_alone_.insert(pair).second;
   return any;
 }
 

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "audit/fix/crossing_pairs.hpp"
 #include "audit/fix/fix.hpp"
 #include "audit/fix/judgement.hpp"
 #include "audit/fix/move_solver.hpp"
+#include "audit/fix/untangling.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 
 namespace gapcheck::audit {
 
@@ -17,9 +18,14 @@ namespace gapcheck::audit {
 /// outlive it.
 class Mover {
  public:
-  /// `lines`: of the deck that the model was read from.
+  /// How it treats elements that cross: nodes stay on the side on which they are, or those of wrong pieces change
+  /// sides.
+  enum class Crossings : std::uint8_t { stay, untangle };
+
+  /// `lines`: of the deck that the model was read from, whose coordinates the model gets at first.
   Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const std::vector<Vector>& deck_x,
-        Freedoms freedoms, const std::vector<model::HangingNode>& hanging, const FixOptions& options);
+        Freedoms freedoms, const std::vector<model::HangingNode>& hanging, const FixOptions& options,
+        Crossings crossings = Crossings::stay);
   Mover(const Mover&) = delete;
   Mover& operator=(const Mover&) = delete;
   void run();
@@ -37,6 +43,10 @@ class Mover {
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
   /// True if the search ended because it took too much work, not because nothing was left to gain.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
+  /// True if fewer elements cross than before, none that did not, and no more nodes penetrate.
+  [[nodiscard]] bool has_untangled() const { return crossings_after_ < crossings_before_.size(); }
+  /// Why a node is held; `none` if it could move.
+  [[nodiscard]] HoldReason reason(NodeIndex node) const { return start_.freedoms.reason[node.value]; }
   /// Pairs of elements that cross.
   [[nodiscard]] std::uint64_t crossings_before() const { return crossings_before_.size(); }
   [[nodiscard]] std::uint64_t crossings_after() const { return crossings_after_; }
@@ -48,11 +58,13 @@ class Mover {
   void move_as_recommended();
   void start_on_ties();
   void start_again();
+  void untangle(std::uint64_t work);
   void search(std::uint64_t work);
   [[nodiscard]] Judgement judge(const std::vector<Vector>& x);
   [[nodiscard]] std::vector<HeldTie> ties_at(const Judgement& now, const std::vector<Vector>& x);
   [[nodiscard]] bool can_open_more(const Judgement& now);
   [[nodiscard]] bool hold_new_crossings();
+  [[nodiscard]] bool leave_crossings_alone(const std::set<ElementPair>& now);
 
   model::Model& model_;
   ElementBounds& bounds_;
@@ -66,7 +78,9 @@ class Mover {
   MoveSolver solver_;
   Judgement before_;
   BestMove best_;
-  std::set<ElementPair> crossings_before_;
+  const Crossings crossings_;
+  std::vector<Vector> begin_;  ///< where a search begins
+  std::set<ElementPair> crossings_before_, left_alone_;
   std::uint64_t crossings_after_ = 0;
   std::uint32_t rounds_ = 0;
   bool cut_short_ = false;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "audit/fix/crossing_pairs.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 #include "audit/fix/element_bounds.hpp"
 
 namespace gapcheck::audit {

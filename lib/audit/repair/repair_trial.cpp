@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "audit/fix/crossing_pairs.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 #include "audit/repair/repair_cards.hpp"
 
 namespace gapcheck::audit {

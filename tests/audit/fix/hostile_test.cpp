@@ -74,6 +74,7 @@ TEST(FixHostile, EndsWithinItsWork) {
   ASSERT_TRUE(complete(whole.report()));
   EXPECT_FALSE(whole.report().cut_short);
   audit::FixOptions options;
+  options.untangle = false;
   options.work = 1;
   const FixRun run = fix_text(plates_deck(lower, upper), options);
   EXPECT_TRUE(run.report().cut_short);

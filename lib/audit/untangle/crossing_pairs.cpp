@@ -1,4 +1,4 @@
-#include "audit/fix/crossing_pairs.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -8,19 +8,28 @@
 
 namespace gapcheck::audit {
 
-std::set<ElementPair> crossing_pairs(const model::Model& model) {
+std::vector<ContactCrossing> contact_crossings(const model::Model& model, contact::SurfaceStore& surfaces,
+                                               const std::vector<Vector>& x) {
   std::vector<ContactIndex> contacts;
   const std::vector<ContactIndex> first = contact::repeated_contacts(model);
   for (const ContactIndex c : positions<ContactIndex>(model.contacts.size()))
     if (first[c.value] == none<ContactIndex> && contact::classify(model.contact(c)).checked()) contacts.push_back(c);
-  contact::SurfaceStore surfaces(model);
   contact::CrossingCounters counters;
-  std::set<ElementPair> pairs;
-  for (const contact::Crossing& c : contact::find_crossings(model, contacts, surfaces, {}, counters)) {
+  contact::CrossingOptions options;
+  options.x = &x;
+  std::vector<ContactCrossing> list;
+  for (const contact::Crossing& c : contact::find_crossings(model, contacts, surfaces, options, counters)) {
     if (c.a.element == no_position || c.b.element == no_position) continue;
     const ElementOfKind a{c.a.kind, c.a.element}, b{c.b.kind, c.b.element};
-    pairs.insert({std::min(a, b), std::max(a, b)});
+    list.push_back({c.contact, {std::min(a, b), std::max(a, b)}});
   }
+  return list;
+}
+
+std::set<ElementPair> crossing_pairs(const model::Model& model) {
+  contact::SurfaceStore surfaces(model);
+  std::set<ElementPair> pairs;
+  for (const ContactCrossing& c : contact_crossings(model, surfaces, model.mesh.nodes.x)) pairs.insert(c.elements);
   return pairs;
 }
 

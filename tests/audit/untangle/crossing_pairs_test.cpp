@@ -1,4 +1,4 @@
-#include "audit/fix/crossing_pairs.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 
 #include <string>
 

@@ -1,0 +1,73 @@
+#include "audit/untangle/face_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "audit/untangle/flood.hpp"
+#include "geometry/closest_point.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// True if the segment has the edge from a to b, in this order.
+bool runs_along(const model::SegmentNodes& n, NodeIndex a, NodeIndex b) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (n[i] == a && n[(i + 1) % 4] == b) return true;
+  return false;
+}
+
+}  // namespace
+
+bool FaceRegion::grow(std::span<const FaceSide> from, const contact::Bounds& box, std::uint64_t& work) {
+  for (const FaceSide& face : from)
+    if (side_.emplace(face.segment.value, face.side).second) faces_.push_back(face);
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const FaceSide face = faces_[i];
+    if (work == 0) return false;
+    --work;
+    for_each_edge(surface_.segments(), face.segment, [&](NodeIndex a, NodeIndex b) { pass(face, a, b, box); });
+  }
+  return true;
+}
+
+/// Over the edge from a to b.
+void FaceRegion::pass(const FaceSide& face, NodeIndex a, NodeIndex b, const contact::Bounds& box) {
+  const contact::Segments& segments = surface_.segments();
+  std::size_t count = 0;
+  SegmentIndex next = face.segment;
+  for (const SegmentIndex s : surface_.neighbours().at(a)) {
+    const auto& n = segments.nodes[s.value];
+    if (!runs_along(n, a, b) && !runs_along(n, b, a)) continue;
+    ++count;
+    if (s != face.segment) next = s;
+  }
+  if (count != 2 || side_.contains(next.value) || !meets(next, box)) return;
+  const FaceSide one{next, runs_along(segments.nodes[next.value], b, a) ? face.side : -face.side};
+  side_.emplace(next.value, one.side);
+  faces_.push_back(one);
+}
+
+bool FaceRegion::meets(SegmentIndex segment, const contact::Bounds& box) const {
+  contact::Bounds bounds;
+  for (const NodeIndex n : surface_.segments().nodes[segment.value]) bounds.add(surface_.x()[n.value]);
+  return bounds.meets(box);
+}
+
+NearestFace FaceRegion::nearest(NodeIndex node) const {
+  const std::vector<Vector>& x = surface_.x();
+  double least = std::numeric_limits<double>::infinity();
+  NearestFace found{{}, least, false};
+  for (const FaceSide& face : faces_) {
+    const auto& n = surface_.segments().nodes[face.segment.value];
+    if (std::find(n.begin(), n.end(), node) != n.end()) continue;
+    const geometry::Facet facet{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
+    const auto c = geometry::closest_point(facet, x[node.value]);
+    if (!(c.squared_distance < least)) continue;
+    least = c.squared_distance;
+    found = {face, std::sqrt(least), c.in_band};
+  }
+  return found;
+}
+
+}  // namespace gapcheck::audit
