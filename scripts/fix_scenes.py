@@ -195,7 +195,7 @@ def crumpled():
     line, x, z = [], 0.0, 0.0
     for i in range(29):
         line.append((x, z))
-        turn = 2.3 * math.sin(2 * math.pi * (i + 0.5) / 14)
+        turn = 2.15 * math.sin(2 * math.pi * (i + 0.5) / 14)
         x, z = x + 4.0 * math.cos(turn), z + 4.0 * math.sin(turn)
     d.sheet(lambda i, j: (line[i][0], 4.0 * j, line[i][1]), 28, 6)
     return d

@@ -26,10 +26,15 @@ geometry::Facet facet_of(const Gap& gap, const std::vector<Vector>& x) {
   return f;
 }
 
-/// Away from the closest point, but never to the side on which the node must not be.
+/// Of the contact distance, what slow progress may add to it.
+constexpr double largest_clearance = 0.05;
+/// A node beside an edge is on the wrong side if it is more behind the segment than beside it.
+constexpr double behind = -0.7;
+
+/// Away from the closest point on an edge, but never to the side on which the node must not be.
 void point_away(GapState& state, const Vector& away, const Vector& free) {
   const double distance = away.norm();
-  const bool aside = distance > 0 && away.dot(free) >= -1e-9 * distance;
+  const bool aside = distance > 0 && away.dot(free) >= behind * distance;
   state.direction = aside ? Vector(away / distance) : free;
   state.gap = aside ? distance : away.dot(free);
 }
@@ -117,12 +122,13 @@ void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSu
   gap.side = (distance < 0 ? -height : height) < 0 ? -1 : 1;
 }
 
-void Gaps::add(const model::Mesh& mesh, const Gap& gap, double depth) {
+void Gaps::add(const model::Mesh& mesh, const Gap& gap, double depth, const std::vector<Vector>& x) {
   std::array<std::int64_t, 4> segment{};
   for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh.nodes.id[gap.corners[i].value];
   const auto [place, fresh] = position_.emplace(Key{gap.contact.value, gap.node.value, segment}, gaps_.size());
   if (fresh) gaps_.push_back(gap);
   Gap& kept = gaps_[place->second];
+  if (!fresh && kept.side == gap.side && measure_gap(kept, x).gap >= kept.distance) kept.clearance += 2 * depth;
   kept.side = gap.side;
   kept.deepest = std::max(kept.deepest, depth);
   kept.clearance = std::max(kept.clearance, (contact::shooting_move - 1) * kept.deepest);
@@ -153,6 +159,10 @@ void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const
     position_.emplace(Key{record.contact, gap.node.value, record.segment}, gaps_.size());
     gaps_.push_back(gap);
   }
+}
+
+void Gaps::widen(double clearance) {
+  for (Gap& gap : gaps_) gap.clearance = std::max(gap.clearance, std::min(clearance, largest_clearance * gap.distance));
 }
 
 void Gaps::give_up(const JoinedNodes& joined) {

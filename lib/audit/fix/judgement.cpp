@@ -1,5 +1,6 @@
 #include "audit/fix/judgement.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "audit/fix/gaps.hpp"
@@ -28,13 +29,15 @@ Judgement ContactJudge::at(const std::vector<Vector>& x) {
     if (!to_be_fixed(record.kind)) continue;
     ++now.penetrating;
     now.depth += record.depth;
+    now.deepest = std::max(now.deepest, record.depth);
   }
   return now;
 }
 
 bool BestMove::take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now) {
-  const bool fewer = now.penetrating < judgement.penetrating;
-  const bool as_many = now.penetrating == judgement.penetrating;
+  const bool as_crossed = now.crossings == judgement.crossings;
+  const bool fewer = now.crossings < judgement.crossings || (as_crossed && now.penetrating < judgement.penetrating);
+  const bool as_many = as_crossed && now.penetrating == judgement.penetrating;
   const bool less = as_many && now.depth < judgement.depth * (1 - move_rounding);
   const bool same = as_many && now.depth <= judgement.depth * (1 + move_rounding);
   if (!fewer && !same) return false;

@@ -17,6 +17,8 @@ struct Judgement {
   std::map<ContactIndex, std::string> not_checked;
   std::uint64_t penetrating = 0;  ///< nodes that a correction has to free
   double depth = 0;               ///< sum of their penetrations
+  double deepest = 0;             ///< the largest of them
+  std::uint64_t crossings = 0;    ///< pairs of elements; 0 where they are not to be undone
   std::uint64_t work = 0;         ///< pairs of nodes and segments that were decided, and nodes
 };
 
@@ -38,7 +40,7 @@ struct BestMove {
   std::vector<Vector> target;   ///< as found
   std::vector<Vector> written;  ///< as the deck's lines can express it
   Judgement judgement;          ///< of `written`
-  /// Takes other coordinates unless they are worse. True if they are better.
+  /// Takes other coordinates unless they are worse: more crossings, then more penetrations. True if they are better.
   bool take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now);
 };
 

@@ -32,10 +32,10 @@ struct MovementResult {
 };
 
 /// The moves with the least Σ |uᵢ|² / mobilityᵢ (by axis) that satisfy all conditions: Gauss-Seidel with a projection
-/// on the dual problem (Hildreth 1957), one multiplier per condition, until no condition is violated by more than
-/// `tolerance`, or after `sweeps`. `mobility`: by node and axis the inverse of the weight; 0: held. `moves`: beside it,
-/// overwritten. Conditions whose nodes are all held are skipped. Contradicting conditions stay violated, with growing
-/// multipliers. Source: C. Hildreth, A quadratic programming procedure, 1957.
+/// on the dual problem (Hildreth 1957), one multiplier per condition, with conjugate gradients in between, until no
+/// condition is violated by more than `tolerance`, or after `sweeps`. `mobility`: by node and axis the inverse of the
+/// weight; 0: held. `moves`: beside it, overwritten. Conditions whose nodes are all held are skipped. Contradicting
+/// conditions stay violated, with growing multipliers. Source: C. Hildreth, A quadratic programming procedure, 1957.
 MovementResult least_movement(std::span<MoveCondition> conditions, std::span<const Vector> mobility,
                               std::span<Vector> moves, double tolerance, std::size_t sweeps);
 

@@ -9,6 +9,10 @@ namespace {
 
 /// Searches without any progress before giving up.
 constexpr std::uint32_t stubborn = 8;
+/// After so many, gaps get more clearance.
+constexpr std::uint32_t slow = 3;
+/// So many in a row that are worse than a state without any penetration end the search for less movement.
+constexpr std::uint32_t worse_at_once = 3;
 /// New searches with elements held that would cross others; after that nothing is moved at all. Together they may take
 /// as much work as the first.
 constexpr int crossing_attempts = 6;
@@ -34,16 +38,15 @@ Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const
 void Mover::run() {
   before_ = judge(start_.deck);
   crossings_before_ = crossing_pairs(model_);
+  if (crossings_ == Crossings::untangle) before_.crossings = crossings_before_.size();
   if (options_.recommended) return move_as_recommended();
   start_on_ties();
   start_again();
-  untangle(options_.work);
   search(options_.work);
   // Elements that would cross are held, and the others must move without them.
   bool crossed = hold_new_crossings();
   for (int attempt = 0; crossed && attempt < crossing_attempts; ++attempt) {
     start_again();
-    untangle(options_.work / crossing_attempts);
     search(options_.work / crossing_attempts);
     crossed = hold_new_crossings();
   }
@@ -94,7 +97,6 @@ void Mover::start_on_ties() {
 }
 
 void Mover::start_again() {
-  begin_ = start_.x;
   if (crossings_ == Crossings::untangle) conditions_.gaps().clear();
   best_ = {start_.deck, start_.deck, before_};
   for (Gap& gap : conditions_.gaps().list()) {
@@ -103,55 +105,29 @@ void Mover::start_again() {
   }
 }
 
-/// Brings pieces of surfaces back to their side, until nothing crosses or fewer crossings are not to be had: the next
-/// search begins there. `work`: limit, except for the step that exceeds it.
-void Mover::untangle(std::uint64_t work) {
-  if (crossings_ != Crossings::untangle) return;
-  budget_.allow(work);
-  std::size_t fewest = crossings_before_.size();
-  std::uint32_t progress = 0;
-  std::vector<Vector> x = start_.x;
-  for (std::uint32_t round = 1; round <= options_.rounds && !budget_.used_up(); ++round) {
-    ++rounds_;
-    const std::vector<Vector> written = writable_.written(x);
-    const Judgement now = judge(written);
-    if (round == 1) conditions_.set_ties(ties_at(now, written));
-    const auto crossings = contact_crossings(model_, judge_.surfaces(), written);
-    if (crossings.size() < fewest) {
-      fewest = crossings.size();
-      begin_ = x;
-      progress = round;
-    }
-    if (crossings.empty() || round - progress > stubborn) return;
-    std::uint64_t steps = budget_.left();
-    const Untangling untangling(model_, judge_.surfaces(), written, crossings, left_alone_, steps);
-    budget_.done += budget_.left() - steps;
-    if (!untangling.any()) return;
-    conditions_.gaps().add(model_, judge_.surfaces(), now.state, written,
-                           [&](NodeIndex n, const model::SegmentNodes& s) { return untangling.at_crossing(n, s); });
-    untangling.add_to(conditions_.gaps(), model_.mesh);
-    conditions_.gaps().give_up(start_.freedoms.joined);
-    x = solver_.solve(x);
-  }
-}
-
 /// `work`: limit, except for the step that exceeds it.
 void Mover::search(std::uint64_t work) {
   budget_.allow(work);
   Gaps& gaps = conditions_.gaps();
-  std::vector<Vector> x = begin_;
+  std::vector<Vector> x = start_.x;
   std::uint32_t progress = 0;
+  std::uint32_t worse = 0;
   bool settled = false;
   for (std::uint32_t round = 1; round <= options_.rounds; ++round) {
     ++rounds_;
     const std::vector<Vector> written = writable_.written(x);
     Judgement now = judge(written);
     if (round == 1) conditions_.set_ties(ties_at(now, written));
-    gaps.add(model_, judge_.surfaces(), now.state, written);
+    const std::optional<Untangling> untangling = untangle(now, written);
+    gaps.add(model_, judge_.surfaces(), now.state, written, untangling ? untangling->skip() : Gaps::Skip());
+    if (untangling) untangling->add_to(gaps, model_.mesh, written);
     gaps.give_up(start_.freedoms.joined);
-    const bool open = can_open_more(now);
+    if (round > slow) gaps.widen(now.deepest);
+    worse = now.penetrating > best_.judgement.penetrating ? worse + 1 : 0;
+    const bool done = best_.judgement.penetrating == 0 && worse >= worse_at_once;
+    const bool open = can_open_more(now) || (untangling && untangling->any());
     if (best_.take(x, written, std::move(now))) progress = round;
-    if (gaps.list().empty() || (!open && settled) || round - progress > stubborn) break;
+    if (gaps.list().empty() || done || (!open && settled) || round - progress > stubborn) break;
     cut_short_ = budget_.used_up() || (open && round == options_.rounds);
     if (cut_short_) break;
     std::vector<Vector> next = solver_.solve(x);
@@ -159,6 +135,17 @@ void Mover::search(std::uint64_t work) {
     settled = largest_difference(next, x, nodes) <= settled_share * largest_difference(next, start_.x, nodes);
     x = std::move(next);
   }
+}
+
+/// How crossings at the coordinates `x` are to be undone, which `now` counts from here on; nothing where they stay.
+std::optional<Untangling> Mover::untangle(Judgement& now, const std::vector<Vector>& x) {
+  if (crossings_ == Crossings::stay || crossings_before_.empty()) return std::nullopt;
+  const auto crossings = contact_crossings(model_, judge_.surfaces(), x);
+  now.crossings = crossings.size();
+  std::uint64_t steps = budget_.left();
+  std::optional<Untangling> untangling(std::in_place, model_, judge_.surfaces(), x, crossings, left_alone_, steps);
+  budget_.done = std::max(budget_.done, budget_.most - steps);
+  return untangling;
 }
 
 Judgement Mover::judge(const std::vector<Vector>& x) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -44,7 +45,9 @@ class Mover {
   /// True if the search ended because it took too much work, not because nothing was left to gain.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
   /// True if fewer elements cross than before, none that did not, and no more nodes penetrate.
-  [[nodiscard]] bool has_untangled() const { return crossings_after_ < crossings_before_.size(); }
+  [[nodiscard]] bool has_untangled() const {
+    return crossings_after_ < crossings_before_.size() && best_.judgement.penetrating <= before_.penetrating;
+  }
   /// Why a node is held; `none` if it could move.
   [[nodiscard]] HoldReason reason(NodeIndex node) const { return start_.freedoms.reason[node.value]; }
   /// Pairs of elements that cross.
@@ -58,8 +61,8 @@ class Mover {
   void move_as_recommended();
   void start_on_ties();
   void start_again();
-  void untangle(std::uint64_t work);
   void search(std::uint64_t work);
+  [[nodiscard]] std::optional<Untangling> untangle(Judgement& now, const std::vector<Vector>& x);
   [[nodiscard]] Judgement judge(const std::vector<Vector>& x);
   [[nodiscard]] std::vector<HeldTie> ties_at(const Judgement& now, const std::vector<Vector>& x);
   [[nodiscard]] bool can_open_more(const Judgement& now);
@@ -79,7 +82,6 @@ class Mover {
   Judgement before_;
   BestMove best_;
   const Crossings crossings_;
-  std::vector<Vector> begin_;  ///< where a search begins
   std::set<ElementPair> crossings_before_, left_alone_;
   std::uint64_t crossings_after_ = 0;
   std::uint32_t rounds_ = 0;

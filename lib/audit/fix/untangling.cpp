@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "contact/crossing/crossings.hpp"
+
 namespace gapcheck::audit {
 namespace {
 
@@ -116,7 +118,9 @@ double Untangling::take_piece(const WrongPiece& piece, const CutSurface& own, co
     gap.shift = thickness.shift;
     if (!other.segments().offset.empty()) gap.offset = other.segments().offset[segment];
     place.other.insert(gap.corners.begin(), gap.corners.end());
-    const double depth = gap.distance + (f.wrong ? f.depth : -f.depth);
+    double depth = gap.distance + (f.wrong ? f.depth : -f.depth);
+    if (piece.nodes.empty())
+      depth = std::max(depth, 2 * contact::crossing_tolerance * diagonal_of(other, f.face.segment));
     if (f.wrong) deepest = std::max(deepest, f.depth);
     distance = std::max(distance, gap.distance);
     size += diagonal_of(other, f.face.segment);
@@ -131,8 +135,8 @@ double Untangling::take_piece(const WrongPiece& piece, const CutSurface& own, co
   return 0;
 }
 
-void Untangling::add_to(Gaps& gaps, const model::Mesh& mesh) const {
-  for (const Found& one : gaps_) gaps.add(mesh, one.gap, one.depth);
+void Untangling::add_to(Gaps& gaps, const model::Mesh& mesh, const std::vector<Vector>& x) const {
+  for (const Found& one : gaps_) gaps.add(mesh, one.gap, one.depth, x);
 }
 
 bool Untangling::at_crossing(NodeIndex node, const model::SegmentNodes& segment) const {

@@ -33,7 +33,11 @@ class Untangling {
              std::span<const ContactCrossing> crossings, const std::set<ElementPair>& left_alone, std::uint64_t& work);
   [[nodiscard]] const std::vector<Hooked>& hooked() const { return hooked_; }
   /// Gaps of nodes that are on the wrong side, and of their neighbours that are not: their sides.
-  void add_to(Gaps& gaps, const model::Mesh& mesh) const;
+  void add_to(Gaps& gaps, const model::Mesh& mesh, const std::vector<Vector>& x) const;
+  /// at_crossing() as a function; this must outlive it.
+  [[nodiscard]] Gaps::Skip skip() const {
+    return [this](NodeIndex n, const model::SegmentNodes& s) { return at_crossing(n, s); };
+  }
   [[nodiscard]] bool any() const { return !gaps_.empty(); }
   /// True if a node and a segment are both at one of these crossings: as long as they cross, their distance says
   /// nothing.

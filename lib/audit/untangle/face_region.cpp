@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "audit/untangle/flood.hpp"
-#include "geometry/closest_point.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -57,7 +56,7 @@ bool FaceRegion::meets(SegmentIndex segment, const contact::Bounds& box) const {
 NearestFace FaceRegion::nearest(NodeIndex node) const {
   const std::vector<Vector>& x = surface_.x();
   double least = std::numeric_limits<double>::infinity();
-  NearestFace found{{}, least, false};
+  NearestFace found{{}, least, false, false};
   for (const FaceSide& face : faces_) {
     const auto& n = surface_.segments().nodes[face.segment.value];
     if (std::find(n.begin(), n.end(), node) != n.end()) continue;
@@ -65,9 +64,22 @@ NearestFace FaceRegion::nearest(NodeIndex node) const {
     const auto c = geometry::closest_point(facet, x[node.value]);
     if (!(c.squared_distance < least)) continue;
     least = c.squared_distance;
-    found = {face, std::sqrt(least), c.in_band};
+    found = {face, std::sqrt(least), c.in_band, false};
+    found.above = !at_end(face.segment, c);
   }
   return found;
+}
+
+/// True if the closest point is on an edge of a segment that no other segment has.
+bool FaceRegion::at_end(SegmentIndex segment, const geometry::ClosestPoint& closest) const {
+  if (closest.feature == Feature::face) return false;
+  const auto& n = surface_.segments().nodes[segment.value];
+  const std::size_t i = closest.feature_index;
+  const auto free = [&](std::size_t k) {
+    const NodeIndex a = n[k % 4], b = n[(k + 1) % 4];
+    return a != b && surface_.neighbours().free_edge(segment, a, b);
+  };
+  return free(i) || (closest.feature == Feature::corner && free(i + 3));
 }
 
 }  // namespace gapcheck::audit

@@ -6,6 +6,7 @@
 
 #include "audit/untangle/cut_surface.hpp"
 #include "contact/search/search.hpp"
+#include "geometry/closest_point.hpp"
 
 namespace gapcheck::audit {
 
@@ -19,7 +20,8 @@ struct FaceSide {
 struct NearestFace {
   FaceSide face;
   double distance = 0;   ///< from its mid-surface; infinite: there is none
-  bool in_band = false;  ///< the node is above or below the segment
+  bool in_band = false;  ///< the node is above or below the segment, or beside it by no more than a quarter
+  bool above = false;    ///< the nearest point is not on an edge where the surface ends
 };
 
 /// Part of a surface that is connected over edges with two segments. It carries a side along: neighbours that run
@@ -38,6 +40,7 @@ class FaceRegion {
 
  private:
   void pass(const FaceSide& face, NodeIndex a, NodeIndex b, const contact::Bounds& box);
+  [[nodiscard]] bool at_end(SegmentIndex segment, const geometry::ClosestPoint& closest) const;
   [[nodiscard]] bool meets(SegmentIndex segment, const contact::Bounds& box) const;
 
   const CutSurface& surface_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "audit/untangle/flood.hpp"
+#include "base/quad.hpp"
 #include "contact/search/box_pairs.hpp"
 #include "geometry/intersect.hpp"
 
@@ -143,6 +144,7 @@ class PieceFinder {
   }
   /// Nothing if the contour does not divide the surface.
   [[nodiscard]] std::optional<PieceChoice> find(std::uint64_t& work) { return find(work, {}); }
+  [[nodiscard]] bool cuts_nothing() const { return cuts_.empty(); }
   /// The same among nodes that are above or below the other surface, at most `reach` away.
   [[nodiscard]] std::optional<PieceChoice> find_facing(double reach, std::uint64_t& work) {
     FaceRegion region(other_);
@@ -155,7 +157,7 @@ class PieceFinder {
       if (work < steps) return false;
       work -= steps;
       const NearestFace nearest = region.nearest(n);
-      return nearest.in_band && nearest.distance <= reach;
+      return nearest.above && nearest.distance <= reach;
     });
   }
 
@@ -204,6 +206,30 @@ class PieceFinder {
   PieceChoice choice_;
 };
 
+/// Segments that only graze each other, between their corners: these are on the right side, and not far enough on it.
+WrongPiece grazing_piece(const SurfaceAtContour& of, std::span<const ElementOfKind> elements,
+                         const SurfaceAtContour& other, std::span<const ElementOfKind> other_elements,
+                         const model::Mesh& mesh) {
+  WrongPiece piece;
+  Vector middle = Vector::Zero();
+  for (const ElementOfKind& element : elements)
+    for (const NodeIndex n : nodes_of(mesh, element))
+      if (!of.surface->neighbours().at(n).empty()) piece.rim.push_back(n);
+  sort_once(piece.rim);
+  for (const NodeIndex n : piece.rim) middle += of.surface->x()[n.value] / static_cast<double>(piece.rim.size());
+  const contact::Segments& segments = other.surface->segments();
+  const std::vector<Vector>& x = other.surface->x();
+  for (const SegmentIndex s : other.around) {
+    const ElementOfKind element{segments.element_kind[s.value], segments.element[s.value]};
+    if (std::find(other_elements.begin(), other_elements.end(), element) == other_elements.end()) continue;
+    const auto& n = segments.nodes[s.value];
+    const double height = quad_normal(n, x).dot(middle - x[n[0].value]);
+    const bool front = segments.kind[s.value] == contact::SegmentKind::solid || height > 0;
+    piece.faces.push_back({s, front ? 1.0 : -1.0});
+  }
+  return piece;
+}
+
 }  // namespace
 
 std::vector<WrongPiece> find_wrong_pieces(const Contour& contour, const model::Mesh& mesh, const CutSurface& first,
@@ -214,6 +240,11 @@ std::vector<WrongPiece> find_wrong_pieces(const Contour& contour, const model::M
   std::array<PieceFinder, 2> finders{PieceFinder(at[0], at[1]), PieceFinder(at[1], at[0])};
   std::array<std::optional<PieceChoice>, 2> found{finders[0].find(work), finders[1].find(work)};
   if (!found[0] && !found[1]) found = {finders[0].find_facing(reach, work), finders[1].find_facing(reach, work)};
+  if (finders[0].cuts_nothing() && finders[1].cuts_nothing()) {
+    for (std::size_t i = 0; i < 2; ++i)
+      found[i].emplace().piece = grazing_piece(at[i], contour.elements[i], at[1 - i], contour.elements[1 - i], mesh);
+    found[0]->behind_solids = found[1]->behind_solids = true;  // both are kept
+  }
   for (std::size_t i = 0; i < 2; ++i)
     if (found[i]) found[i]->piece.other_is_second = i == 0;
   // A solid knows its inside; of two sheets one has to give way.

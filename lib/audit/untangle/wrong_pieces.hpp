@@ -10,7 +10,7 @@ namespace gapcheck::audit {
 
 /// Nodes that are on the wrong side of another surface, which cuts them off from the rest of theirs.
 struct WrongPiece {
-  std::vector<NodeIndex> nodes;  ///< beyond the other surface, ascending
+  std::vector<NodeIndex> nodes;  ///< beyond the other surface, ascending; none: segments graze each other between corners
   std::vector<NodeIndex> rim;    ///< the ends of cut edges that are on the right side, ascending
   std::vector<FaceSide> faces;   ///< where the other surface is cut through
   bool other_is_second = true;   ///< the other surface is the second of find_wrong_pieces()
