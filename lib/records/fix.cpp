@@ -54,7 +54,8 @@ std::uint64_t untreated(const FixReport& report) {
 }
 
 bool complete(const FixReport& report) {
-  return report.unfixed.empty() && report.separated_ties_after == 0 && untreated(report) == 0;
+  return report.unfixed.empty() && report.crossings_after == 0 && report.separated_ties_after == 0 &&
+         untreated(report) == 0;
 }
 
 }  // namespace gapcheck

@@ -45,6 +45,15 @@ struct UnfixedNode {
   std::uint32_t file = 0, line = 0;
 };
 
+/// Elements that still cross along one line after the correction.
+struct LeftCrossing {
+  std::uint32_t contact = 0;                    ///< position in FixReport::contacts
+  std::int64_t part = 0, other_part = 0;        ///< ids; 0: elements without part
+  std::int64_t element = 0, other_element = 0;  ///< one of each
+  std::uint64_t pairs = 0;                      ///< of elements
+  std::string why;                              ///< in words
+};
+
 /// An alternative that would remove the penetrations between two parts: what it is, and the keyword lines.
 struct FixAlternative {
   std::string text, card;
@@ -90,11 +99,12 @@ struct FixReport {
   std::string input;
   std::vector<std::string> files;  ///< of the deck; what `file` members point into
   std::vector<FixContact> contacts;
-  std::vector<MovedNode> moved;        ///< ascending by node id
-  std::vector<UnfixedNode> unfixed;    ///< by contact, deepest first
-  std::vector<FixProposal> proposals;  ///< by contact and parts
-  std::vector<FixedFile> changed;      ///< in the order of the deck
-  std::vector<std::string> notes;      ///< input that is not supported
+  std::vector<MovedNode> moved;         ///< ascending by node id
+  std::vector<UnfixedNode> unfixed;     ///< by contact, deepest first
+  std::vector<LeftCrossing> crossings;  ///< after it, by contact
+  std::vector<FixProposal> proposals;   ///< by contact and parts
+  std::vector<FixedFile> changed;       ///< in the order of the deck
+  std::vector<std::string> notes;       ///< input that is not supported
   double largest_move = 0, total_move = 0;
   std::uint64_t elements_touched = 0, elements_worsened = 0;  ///< with a moved node; of these with a worse shape
   std::uint64_t crossings_before = 0, crossings_after = 0;    ///< elements that cross another one
@@ -108,7 +118,7 @@ struct FixReport {
 
 /// Penetrations that no correction was made for, after it.
 [[nodiscard]] std::uint64_t untreated(const FixReport& report);
-/// True if nothing penetrates any more and no tied node keeps a separation that was to be removed.
+/// True if nothing penetrates or crosses any more and no tied node keeps a separation that was to be removed.
 [[nodiscard]] bool complete(const FixReport& report);
 
 }  // namespace gapcheck

@@ -29,6 +29,8 @@ REAL = [
 ]
 EXAMPLE = ["data/two_plates.k", "-o", "fixed", "--dry-run", "--top", "3"]
 PLAN = ["data/include_parameter.k", "--plan"]
+REASONS = {"constrained": "boundary conditions, welds or other joints hold the nodes", "none": "no way out was found",
+           "conflict": "what frees it from one segment pushes it into another", "shape": "an element would lose its shape"}
 # The shoes come without the body whose contacts they take part in: here in a contact of their own.
 SHOES = ["50F-standing/vivaplus-82-Shoes-50F_standing_nodes.k", "common/vivaplus-80-Shoes.k"]
 
@@ -71,6 +73,22 @@ def table(rows):
     head = ("| deck | nodes before | after | moved | largest move | mean | elements worse | crossings before / after |\n"
             "|---|---:|---:|---:|---:|---:|---:|---:|")
     return "\n".join([head, *rows])
+
+
+def scenes(gapcheck):
+    """The decks of data/fix: what is left, and why."""
+    rows = ["| scene | nodes before | after | crossings before / after | largest move | mean | left, because |",
+            "|---|---:|---:|---:|---:|---:|---|"]
+    for deck in sorted((ROOT / "data" / "fix").glob("*.k")):
+        report, before, after = corrected(gapcheck, deck)
+        s = report["summary"]
+        reasons = sorted({c["why"] for c in report["crossings"]})
+        if report["unfixed"]:
+            reasons += sorted({REASONS[node["reason"]] for node in report["unfixed"]} - set(reasons))
+        moves = [f"{s['largest_move']:.4g}", f"{s['mean_move']:.4g}"] if report["moved"] else ["–", "–"]
+        rows.append(f"| {deck.read_text().splitlines()[2]} (`{deck.stem}`) | {before} | {after} | "
+                    f"{s['crossings_before']} / {s['crossings_after']} | {' | '.join(moves)} | {'; '.join(reasons)} |")
+    return "\n".join(rows)
 
 
 def shoes(gapcheck, decks):
@@ -166,6 +184,7 @@ def main():
         if result[0]["moved"]:
             rows.append(row(f"`{deck.stem}`", result))
     text = page.section("data", text, table(rows))
+    text = page.section("scenes", text, scenes(gapcheck))
     if len(sys.argv) == 3:
         decks = pathlib.Path(sys.argv[2])
         rows = [row(name, corrected(gapcheck, decks / path, options)) for name, path, options in REAL]

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "audit/fix/left_crossings.hpp"
 #include "audit/fix/mover.hpp"
 #include "audit/fix/proposals.hpp"
 #include "audit/fix/untreated.hpp"
@@ -98,9 +99,6 @@ class Reporter {
     }
     for (const std::string& note : mover_.before().state.notes) report_.notes.push_back(note);
     welds();
-    if (report_.crossings_after > 0)
-      report_.notes.push_back(fmt::format(
-          "{} pairs of elements cross each other; nodes stay on the side on which they are", report_.crossings_after));
   }
 
  private:
@@ -221,6 +219,8 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   reporter.contacts();
   reporter.moved(moved);
   reporter.unfixed();
+  if (report.crossings_after > 0)
+    report.crossings = left_crossings(model, [&](NodeIndex n) { return mover.reason(n); });
   reporter.notes(unread);
   fix.files = edits(model, lines, mover, moved);
   for (const ChangedLines& file : fix.files)

@@ -29,12 +29,12 @@ geometry::Facet facet_of(const Gap& gap, const std::vector<Vector>& x) {
 /// Of the contact distance, what slow progress may add to it.
 constexpr double largest_clearance = 0.05;
 /// A node beside an edge is on the wrong side if it is more behind the segment than beside it.
-constexpr double behind = -0.7;
+constexpr double behind_edge = -0.7;
 
 /// Away from the closest point on an edge, but never to the side on which the node must not be.
 void point_away(GapState& state, const Vector& away, const Vector& free) {
   const double distance = away.norm();
-  const bool aside = distance > 0 && away.dot(free) >= behind * distance;
+  const bool aside = distance > 0 && away.dot(free) >= behind_edge * distance;
   state.direction = aside ? Vector(away / distance) : free;
   state.gap = aside ? distance : away.dot(free);
 }
@@ -122,16 +122,28 @@ void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSu
   gap.side = (distance < 0 ? -height : height) < 0 ? -1 : 1;
 }
 
-void Gaps::add(const model::Mesh& mesh, const Gap& gap, double depth, const std::vector<Vector>& x) {
-  std::array<std::int64_t, 4> segment{};
-  for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh.nodes.id[gap.corners[i].value];
-  const auto [place, fresh] = position_.emplace(Key{gap.contact.value, gap.node.value, segment}, gaps_.size());
-  if (fresh) gaps_.push_back(gap);
-  Gap& kept = gaps_[place->second];
-  if (!fresh && kept.side == gap.side && measure_gap(kept, x).gap >= kept.distance) kept.clearance += 2 * depth;
-  kept.side = gap.side;
-  kept.deepest = std::max(kept.deepest, depth);
-  kept.clearance = std::max(kept.clearance, (contact::shooting_move - 1) * kept.deepest);
+void Gaps::add(const model::Mesh& mesh, std::span<const KnownSide> sides, const std::vector<Vector>& x) {
+  for (const KnownSide& known : sides) {
+    std::array<std::int64_t, 4> segment{};
+    for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh.nodes.id[known.corners[i].value];
+    const auto [place, fresh] = position_.emplace(Key{known.contact.value, known.node.value, segment}, gaps_.size());
+    if (fresh) {
+      Gap gap;
+      gap.contact = known.contact;
+      gap.node = known.node;
+      gap.corners = known.corners;
+      gap.side = known.side;
+      gap.distance = known.distance;
+      gap.shift = known.shift;
+      gap.offset = known.offset;
+      gaps_.push_back(gap);
+    }
+    Gap& gap = gaps_[place->second];
+    if (!fresh && gap.side == known.side && measure_gap(gap, x).gap >= gap.distance) gap.clearance += known.step;
+    gap.side = known.side;
+    gap.deepest = std::max(gap.deepest, known.depth);
+    gap.clearance = std::max(gap.clearance, (contact::shooting_move - 1) * gap.deepest);
+  }
 }
 
 void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,

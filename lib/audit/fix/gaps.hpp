@@ -3,11 +3,13 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "audit/fix/joined_nodes.hpp"
 #include "audit/fix/least_movement.hpp"
+#include "audit/untangle/untangling.hpp"
 #include "contact/initial.hpp"
 #include "contact/mesh/mesh_index.hpp"
 #include "contact/pair/record_pair.hpp"
@@ -54,11 +56,11 @@ class Gaps {
   using Skip = std::function<bool(NodeIndex node, const model::SegmentNodes& segment)>;
   void add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
            const std::vector<Vector>& x, const Skip& skip = {});
-  /// Adds a gap whose side is known, or gives it this side. `depth`: how far it is from open. A gap that is open at `x`
-  /// and still named gets more clearance: surfaces of warped segments cross before nodes do.
-  void add(const model::Mesh& mesh, const Gap& gap, double depth, const std::vector<Vector>& x);
-  /// Gives every gap at least this clearance, but no more than a twentieth of its distance: nodes that slide from segment
-  /// to segment as gaps open find the next one open.
+  /// Adds nodes whose side is known, or gives their gaps this side. A gap that is open at `x` and still named gets more
+  /// clearance: surfaces of warped segments cross before nodes do.
+  void add(const model::Mesh& mesh, std::span<const KnownSide> sides, const std::vector<Vector>& x);
+  /// Gives every gap at least this clearance, but no more than a twentieth of its distance: nodes that slide from
+  /// segment to segment as gaps open find the next one open.
   void widen(double clearance);
   void clear() {
     gaps_.clear();

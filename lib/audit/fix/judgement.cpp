@@ -34,16 +34,18 @@ Judgement ContactJudge::at(const std::vector<Vector>& x) {
   return now;
 }
 
-bool BestMove::take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now) {
+bool BestMove::take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now,
+                    double moved) {
   const bool as_crossed = now.crossings == judgement.crossings;
   const bool fewer = now.crossings < judgement.crossings || (as_crossed && now.penetrating < judgement.penetrating);
   const bool as_many = as_crossed && now.penetrating == judgement.penetrating;
   const bool less = as_many && now.depth < judgement.depth * (1 - move_rounding);
   const bool same = as_many && now.depth <= judgement.depth * (1 + move_rounding);
-  if (!fewer && !same) return false;
+  if (!fewer && !less && !(same && moved <= movement)) return false;
   target = x;
   written = as_written;
   judgement = std::move(now);
+  movement = moved;
   return fewer || less;
 }
 

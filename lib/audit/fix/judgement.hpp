@@ -40,8 +40,15 @@ struct BestMove {
   std::vector<Vector> target;   ///< as found
   std::vector<Vector> written;  ///< as the deck's lines can express it
   Judgement judgement;          ///< of `written`
-  /// Takes other coordinates unless they are worse: more crossings, then more penetrations. True if they are better.
-  bool take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now);
+  std::uint64_t crossings = 0;  ///< of `written`, once they are counted
+  [[nodiscard]] bool crosses_less(const BestMove& other) const {
+    return crossings < other.crossings ||
+           (crossings == other.crossings && judgement.penetrating < other.judgement.penetrating);
+  }
+  double movement = 0;  ///< how much has moved for it
+  /// Takes other coordinates that are better: fewer crossings, then fewer penetrations, then less `moved`. True if they
+  /// are better without counting the movement.
+  bool take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now, double moved);
 };
 
 }  // namespace gapcheck::audit

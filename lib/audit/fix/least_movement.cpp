@@ -47,7 +47,7 @@ double compliance(const MoveCondition& c, std::span<const Vector> mobility) {
 namespace {
 
 /// Sweeps between two accelerations, and steps of one of them at most.
-constexpr double patient_sweeps = 20;  ///< after these the tolerance grows
+constexpr double patient_sweeps = 100;  ///< after these the tolerance grows
 constexpr std::size_t sweeps_between = 5, steps_at_once = 200;
 
 /// Conjugate gradients on the conditions that push (and on equations): long chains of conditions, as in a stack of
@@ -60,14 +60,16 @@ class Acceleration {
 
   /// Until the residuals are within `tolerance` or rounding ends it. Multipliers that would become negative are left
   /// out from there on.
-  void run(double tolerance) {
+  /// At most `steps`; returns how many it took.
+  std::size_t run(double tolerance, std::size_t steps) {
     active_.clear();
     for (std::uint32_t i = 0; i < conditions_.size(); ++i)
       if (compliances_[i] > 0 && (conditions_[i].equal || conditions_[i].multiplier > 0)) active_.push_back(i);
     residual_.resize(active_.size());
     direction_.assign(active_.size(), 0);
     double old = 0;  // 0: starts along the residual
-    for (std::size_t step = 0; step < steps_at_once; ++step) {
+    std::size_t step = 0;
+    for (; step < steps; ++step) {
       double worst = 0, now = 0;
       for (std::size_t k = 0; k < active_.size(); ++k) {
         const MoveCondition& c = conditions_[active_[k]];
@@ -75,15 +77,16 @@ class Acceleration {
         worst = std::max(worst, std::abs(residual_[k]));
         now += residual_[k] * residual_[k] / compliances_[active_[k]];
       }
-      if (worst <= tolerance) return;
+      if (worst <= tolerance) break;
       const double share = old == 0 ? 0 : now / old;
       for (std::size_t k = 0; k < active_.size(); ++k)
         direction_[k] = residual_[k] / compliances_[active_[k]] + share * direction_[k];
       const Step taken = advance();
-      if (taken == Step::none) return;
+      if (taken == Step::none) break;
       old = taken == Step::whole ? now : 0;
       if (taken == Step::cut) drop_zeros();
     }
+    return step;
   }
 
  private:
@@ -93,14 +96,16 @@ class Acceleration {
   Step advance() {
     change_.assign(moves_.size(), Vector::Zero());
     for (std::size_t k = 0; k < active_.size(); ++k) push(conditions_[active_[k]], direction_[k], mobility_, change_);
-    double slope = 0, curvature = 0, farthest = std::numeric_limits<double>::infinity();
+    double slope = 0, curvature = 0, own = 0, farthest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < active_.size(); ++k) {
       const MoveCondition& c = conditions_[active_[k]];
       slope += residual_[k] * direction_[k];
       curvature += direction_[k] * left_side(c, change_);
+      own += direction_[k] * direction_[k] * compliances_[active_[k]];
       if (!c.equal && direction_[k] < 0) farthest = std::min(farthest, -c.multiplier / direction_[k]);
     }
-    if (!(slope > 0) || !(curvature > 0)) return Step::none;
+    // Conditions that contradict each other push without end, and move nothing.
+    if (!(slope > 0) || !(curvature > 1e-9 * own)) return Step::none;
     const double length = std::min(slope / curvature, farthest);
     for (std::size_t k = 0; k < active_.size(); ++k) {
       MoveCondition& c = conditions_[active_[k]];
@@ -141,6 +146,7 @@ MovementResult least_movement(std::span<MoveCondition> conditions, std::span<con
     if (c.multiplier != 0) push(c, c.multiplier, mobility, moves);
   }
   MovementResult result;
+  std::size_t since = 0;
   Acceleration acceleration(conditions, compliances, mobility, moves);
   for (; result.sweeps < sweeps; ++result.sweeps) {
     result.worst = 0;
@@ -161,7 +167,9 @@ MovementResult least_movement(std::span<MoveCondition> conditions, std::span<con
     }
     // Conditions that say the same twice settle slowly.
     if (largest_step <= tolerance * (1 + static_cast<double>(result.sweeps) / patient_sweeps)) break;
-    if (result.sweeps % sweeps_between == sweeps_between - 1) acceleration.run(tolerance);
+    if (++since < sweeps_between) continue;
+    since = 0;
+    result.sweeps += acceleration.run(tolerance, std::min(steps_at_once, sweeps - result.sweeps));
   }
   return result;
 }

@@ -27,8 +27,8 @@ struct MoveCondition {
 
 /// How well the conditions are met.
 struct MovementResult {
-  std::size_t sweeps = 0;
-  double worst = 0;  ///< largest violation of any condition that has a movable node
+  std::size_t sweeps = 0;  ///< and steps of conjugate gradients
+  double worst = 0;        ///< largest violation of any condition that has a movable node
 };
 
 /// The moves with the least Σ |uᵢ|² / mobilityᵢ (by axis) that satisfy all conditions: Gauss-Seidel with a projection

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "audit/untangle/crossing_pairs.hpp"
 #include "audit/fix/gaps.hpp"
 #include "audit/fix/held_ties.hpp"
 #include "audit/fix/least_movement.hpp"
 #include "audit/fix/moving_nodes.hpp"
 #include "audit/fix/shape_conditions.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 
 namespace gapcheck::audit {
 

@@ -5,7 +5,7 @@
 namespace gapcheck::audit {
 namespace {
 
-constexpr std::size_t sweeps = 1000;
+constexpr std::size_t sweeps = 2000;
 /// Relative to the largest gap to open: the accuracy of the least movement, and the limit of a contradiction.
 constexpr double solved = 1e-7, contradicted = 1e-3;
 /// Attempts to find moves that keep all elements in shape; each holds at least one more node.

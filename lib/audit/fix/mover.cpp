@@ -44,13 +44,18 @@ void Mover::run() {
   start_again();
   search(options_.work);
   // Elements that would cross are held, and the others must move without them.
-  bool crossed = hold_new_crossings();
-  for (int attempt = 0; crossed && attempt < crossing_attempts; ++attempt) {
+  std::optional<BestMove> best;
+  for (int attempt = 0;; ++attempt) {
+    const CrossingChange change = hold_new_crossings();
+    if (change.none_new && (!best || best_.crosses_less(*best))) best = best_;
+    if ((change.none_new && !change.left_alone) || attempt == crossing_attempts) break;
     start_again();
     search(options_.work / crossing_attempts);
-    crossed = hold_new_crossings();
   }
-  if (crossed) {
+  if (best) {
+    best_ = std::move(*best);
+    crossings_after_ = best_.crossings;
+  } else {
     start_again();
     crossings_after_ = crossings_before_.size();
   }
@@ -119,14 +124,16 @@ void Mover::search(std::uint64_t work) {
     Judgement now = judge(written);
     if (round == 1) conditions_.set_ties(ties_at(now, written));
     const std::optional<Untangling> untangling = untangle(now, written);
-    gaps.add(model_, judge_.surfaces(), now.state, written, untangling ? untangling->skip() : Gaps::Skip());
-    if (untangling) untangling->add_to(gaps, model_.mesh, written);
+    gaps.add(model_, judge_.surfaces(), now.state, written, [&](NodeIndex n, const model::SegmentNodes& segment) {
+      return untangling && untangling->at_crossing(n, segment);
+    });
+    if (untangling) gaps.add(model_.mesh, untangling->sides(), written);
     gaps.give_up(start_.freedoms.joined);
     if (round > slow) gaps.widen(now.deepest);
     worse = now.penetrating > best_.judgement.penetrating ? worse + 1 : 0;
     const bool done = best_.judgement.penetrating == 0 && worse >= worse_at_once;
-    const bool open = can_open_more(now) || (untangling && untangling->any());
-    if (best_.take(x, written, std::move(now))) progress = round;
+    const bool open = can_open_more(now) || (untangling && !untangling->sides().empty());
+    if (best_.take(x, written, std::move(now), movement(written))) progress = round;
     if (gaps.list().empty() || done || (!open && settled) || round - progress > stubborn) break;
     cut_short_ = budget_.used_up() || (open && round == options_.rounds);
     if (cut_short_) break;
@@ -135,6 +142,19 @@ void Mover::search(std::uint64_t work) {
     settled = largest_difference(next, x, nodes) <= settled_share * largest_difference(next, start_.x, nodes);
     x = std::move(next);
   }
+}
+
+/// Σ w |u|², as in find_freedoms().
+double Mover::movement(const std::vector<Vector>& x) const {
+  double sum = 0;
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    if (x[n] == start_.deck[n]) continue;
+    const Vector& mobility = start_.freedoms.mobility[n];
+    const Vector move = x[n] - start_.deck[n];
+    for (int axis = 0; axis < 3; ++axis)
+      if (mobility[axis] > 0) sum += move[axis] * move[axis] / mobility[axis];
+  }
+  return sum;
 }
 
 /// How crossings at the coordinates `x` are to be undone, which `now` counts from here on; nothing where they stay.
@@ -171,11 +191,11 @@ bool Mover::can_open_more(const Judgement& now) {
   return false;
 }
 
-/// True if elements cross that did not in the deck; then their moved nodes are held.
-bool Mover::hold_new_crossings() {
+/// Counts the crossings of the best coordinates. Elements that did not cross in the deck: their moved nodes are held.
+Mover::CrossingChange Mover::hold_new_crossings() {
   model_.mesh.nodes.x = best_.written;
   const std::set<ElementPair> now = crossing_pairs(model_);
-  crossings_after_ = now.size();
+  best_.crossings = now.size();
   bool any = false;
   for (const ElementPair& pair : now) {
     if (crossings_before_.contains(pair)) continue;
@@ -184,7 +204,7 @@ bool Mover::hold_new_crossings() {
       for (const NodeIndex n : nodes_of(model_.mesh, element))
         if (best_.written[n.value] != start_.deck[n.value]) start_.hold_in_deck(n, HoldReason::crossing);
   }
-  return leave_crossings_alone(now) || any;
+  return {!any, leave_crossings_alone(now)};
 }
 
 /// Crossings that could not be undone, and moved on the way, stay as they are in the next search. True if there are

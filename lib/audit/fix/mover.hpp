@@ -9,8 +9,8 @@
 #include "audit/fix/fix.hpp"
 #include "audit/fix/judgement.hpp"
 #include "audit/fix/move_solver.hpp"
-#include "audit/fix/untangling.hpp"
 #include "audit/untangle/crossing_pairs.hpp"
+#include "audit/untangle/untangling.hpp"
 
 namespace gapcheck::audit {
 
@@ -63,10 +63,14 @@ class Mover {
   void start_again();
   void search(std::uint64_t work);
   [[nodiscard]] std::optional<Untangling> untangle(Judgement& now, const std::vector<Vector>& x);
+  [[nodiscard]] double movement(const std::vector<Vector>& x) const;
   [[nodiscard]] Judgement judge(const std::vector<Vector>& x);
   [[nodiscard]] std::vector<HeldTie> ties_at(const Judgement& now, const std::vector<Vector>& x);
   [[nodiscard]] bool can_open_more(const Judgement& now);
-  [[nodiscard]] bool hold_new_crossings();
+  struct CrossingChange {
+    bool none_new = true, left_alone = false;  ///< `left_alone`: crossings are given up from here on
+  };
+  [[nodiscard]] CrossingChange hold_new_crossings();
   [[nodiscard]] bool leave_crossings_alone(const std::set<ElementPair>& now);
 
   model::Model& model_;

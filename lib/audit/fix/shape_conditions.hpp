@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "audit/untangle/crossing_pairs.hpp"
 #include "audit/fix/element_bounds.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 
 namespace gapcheck::audit {
 

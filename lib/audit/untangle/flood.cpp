@@ -8,14 +8,14 @@ namespace gapcheck::audit {
 std::optional<Flood> Flood::over(const contact::Segments& segments, const contact::Neighbours& neighbours,
                                  std::span<const NodeIndex> from,
                                  const std::set<std::pair<NodeIndex, NodeIndex>>& closed, const Allowed& allowed,
-                                 std::uint64_t& work) {
+                                 Until until, std::uint64_t& work) {
   Flood flood(from.size());
   std::vector<NodeIndex> front(from.begin(), from.end()), next;
   for (std::uint32_t i = 0; i < from.size(); ++i) flood.label_.emplace(from[i].value, i);
   while (!front.empty()) {
     std::set<std::uint32_t> growing;
     for (const NodeIndex n : front) growing.insert(flood.labels_.root(flood.label_.at(n.value)));
-    if (growing.size() == 1) {
+    if (growing.size() == 1 && until == Until::one_left) {
       flood.open_ = *growing.begin();
       break;
     }

@@ -32,12 +32,14 @@ class Flood {
   /// Whether a node may be reached; empty: all may.
   using Allowed = std::function<bool(NodeIndex)>;
 
-  /// `closed`: edges (lower node first) that are not crossed. Nothing if that takes more than `work` steps, which are
-  /// taken off it.
+  enum class Until : std::uint8_t { one_left, all_known };
+
+  /// `until`: with all_known, no region stays open. `closed`: edges (lower node first) that are not crossed. Nothing if
+  /// that takes more than `work` steps, which are taken off it.
   [[nodiscard]] static std::optional<Flood> over(const contact::Segments& segments,
                                                  const contact::Neighbours& neighbours, std::span<const NodeIndex> from,
                                                  const std::set<std::pair<NodeIndex, NodeIndex>>& closed,
-                                                 const Allowed& allowed, std::uint64_t& work);
+                                                 const Allowed& allowed, Until until, std::uint64_t& work);
   /// The region of a node that was reached, or no_position.
   [[nodiscard]] std::uint32_t region(NodeIndex node) const;
   /// True for the one region, if any, that was not grown to its end.

@@ -164,7 +164,9 @@ class PieceFinder {
  private:
   std::optional<PieceChoice> find(std::uint64_t& work, const Flood::Allowed& allowed) {
     if (cuts_.empty()) return std::nullopt;
-    const auto flood = Flood::over(of_.segments(), of_.neighbours(), ends_, closed_, allowed, work);
+    // What is inside a solid may be the larger part.
+    const auto until = choice_.behind_solids ? Flood::Until::all_known : Flood::Until::one_left;
+    const auto flood = Flood::over(of_.segments(), of_.neighbours(), ends_, closed_, allowed, until, work);
     if (!flood) return std::nullopt;
     for (const EdgeCut& c : cuts_)
       if (flood->region(c.edge.first) == flood->region(c.edge.second)) return std::nullopt;
@@ -206,7 +208,14 @@ class PieceFinder {
   PieceChoice choice_;
 };
 
+bool solids_only(const SurfaceAtContour& at) {
+  return std::all_of(at.around.begin(), at.around.end(), [&](SegmentIndex s) {
+    return at.surface->segments().kind[s.value] == contact::SegmentKind::solid;
+  });
+}
+
 /// Segments that only graze each other, between their corners: these are on the right side, and not far enough on it.
+/// So are those of solids whose edges and corners cut into each other: which side is right is known.
 WrongPiece grazing_piece(const SurfaceAtContour& of, std::span<const ElementOfKind> elements,
                          const SurfaceAtContour& other, std::span<const ElementOfKind> other_elements,
                          const model::Mesh& mesh) {
@@ -240,7 +249,8 @@ std::vector<WrongPiece> find_wrong_pieces(const Contour& contour, const model::M
   std::array<PieceFinder, 2> finders{PieceFinder(at[0], at[1]), PieceFinder(at[1], at[0])};
   std::array<std::optional<PieceChoice>, 2> found{finders[0].find(work), finders[1].find(work)};
   if (!found[0] && !found[1]) found = {finders[0].find_facing(reach, work), finders[1].find_facing(reach, work)};
-  if (finders[0].cuts_nothing() && finders[1].cuts_nothing()) {
+  const bool grazing = finders[0].cuts_nothing() && finders[1].cuts_nothing();
+  if (grazing || (!found[0] && !found[1] && solids_only(at[0]) && solids_only(at[1]))) {
     for (std::size_t i = 0; i < 2; ++i)
       found[i].emplace().piece = grazing_piece(at[i], contour.elements[i], at[1 - i], contour.elements[1 - i], mesh);
     found[0]->behind_solids = found[1]->behind_solids = true;  // both are kept

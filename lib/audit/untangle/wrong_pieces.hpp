@@ -10,10 +10,11 @@ namespace gapcheck::audit {
 
 /// Nodes that are on the wrong side of another surface, which cuts them off from the rest of theirs.
 struct WrongPiece {
-  std::vector<NodeIndex> nodes;  ///< beyond the other surface, ascending; none: segments graze each other between corners
-  std::vector<NodeIndex> rim;    ///< the ends of cut edges that are on the right side, ascending
-  std::vector<FaceSide> faces;   ///< where the other surface is cut through
-  bool other_is_second = true;   ///< the other surface is the second of find_wrong_pieces()
+  std::vector<NodeIndex>
+      nodes;                   ///< beyond the other surface, ascending; none: segments graze each other between corners
+  std::vector<NodeIndex> rim;  ///< the ends of cut edges that are on the right side, ascending
+  std::vector<FaceSide> faces;  ///< where the other surface is cut through
+  bool other_is_second = true;  ///< the other surface is the second of find_wrong_pieces()
 };
 
 /// Which side each piece of two surfaces belongs to that cross along a contour. The contour cuts edges of a surface; if

@@ -97,6 +97,18 @@ void remaining(const FixReport& report, std::size_t top, std::string& out) {
   if (report.unfixed.size() > count) out += fmt::format("  {} more\n", report.unfixed.size() - count);
 }
 
+void crossings(const FixReport& report, std::size_t top, std::string& out) {
+  const std::size_t count = std::min(top, report.crossings.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const LeftCrossing& c = report.crossings[i];
+    out += fmt::format("  contact {}, {} and {}: {}, such as elements {} and {}: {}\n", report.contacts[c.contact].id,
+                       part_name(c.part), part_name(c.other_part), plural(c.pairs, "pair"), c.element, c.other_element,
+                       c.why);
+  }
+  if (report.crossings.size() > count)
+    out += fmt::format("  {} more\n", plural(report.crossings.size() - count, "such place"));
+}
+
 void proposals(const FixReport& report, std::size_t top, std::string& out) {
   if (report.proposals.empty()) return;
   out += "\nInstead of moving nodes\n";
@@ -128,9 +140,10 @@ std::string last_line(const FixReport& report) {
   std::uint64_t before = 0;
   for (const FixContact& c : report.contacts) before += c.before.penetrations + c.before.released + c.edges_before;
   return fmt::format(
-      "{} penetrating before, {} after{}; {} moved in {}{}{}\n", plural(before, "node"),
+      "{} penetrating before, {} after{}{}; {} moved in {}{}{}\n", plural(before, "node"),
       report.unfixed.size() + left_alone,
       left_alone > 0 ? fmt::format(" ({} of segments or edges, which are not corrected)", left_alone) : "",
+      report.crossings_after > 0 ? fmt::format(", {} of elements cross", plural(report.crossings_after, "pair")) : "",
       plural(report.moved.size(), "node"), plural(report.changed.size(), "file"),
       report.dry_run ? "; nothing was written" : "", run);
 }
@@ -180,6 +193,16 @@ Json unfixed_json(const FixReport& report, const UnfixedNode& node) {
   return json;
 }
 
+Json crossing_json(const FixReport& report, const LeftCrossing& c) {
+  return {{"contact", report.contacts[c.contact].id},
+          {"part", c.part},
+          {"other_part", c.other_part},
+          {"element", c.element},
+          {"other_element", c.other_element},
+          {"pairs", c.pairs},
+          {"why", c.why}};
+}
+
 Json proposal_json(const FixProposal& p) {
   Json json{{"contact", p.contact},
             {"part", p.part},
@@ -205,6 +228,7 @@ std::string fix_text(const FixReport& report, const FixTextOptions& options) {
     if (report.crossings_before > 0 || report.crossings_after > 0)
       out += fmt::format("\npairs of elements that cross: {} before, {} after\n", report.crossings_before,
                          report.crossings_after);
+    crossings(report, options.top, out);
     if (report.proof) append_proof(*report.proof, out);
     proposals(report, options.top, out);
     if (!report.notes.empty()) out += "\n";
@@ -220,10 +244,12 @@ std::string fix_text(const FixReport& report, const FixTextOptions& options) {
 
 std::string fix_json(const FixReport& report) {
   Json json{{"schema", "gapcheck-fix/1"}, {"input", report.input}, {"dry_run", report.dry_run}};
-  for (const char* list : {"contacts", "moved", "unfixed", "proposals", "files", "notes"}) json[list] = Json::array();
+  for (const char* list : {"contacts", "moved", "unfixed", "crossings", "proposals", "files", "notes"})
+    json[list] = Json::array();
   for (const FixContact& c : report.contacts) json["contacts"].push_back(fix_contact_json(c));
   for (const MovedNode& node : report.moved) json["moved"].push_back(moved_json(report, node));
   for (const UnfixedNode& node : report.unfixed) json["unfixed"].push_back(unfixed_json(report, node));
+  for (const LeftCrossing& c : report.crossings) json["crossings"].push_back(crossing_json(report, c));
   for (const FixProposal& p : report.proposals) json["proposals"].push_back(proposal_json(p));
   for (const FixedFile& file : report.changed) {
     json["files"].push_back({{"path", file.path}, {"lines", file.lines}});

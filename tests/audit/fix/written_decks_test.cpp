@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t seeds = 8;
+constexpr std::uint64_t seeds = 3;
 
 /// How the nodes stand in a file.
 struct Form {

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Writes the scenes of docs/fix.md into data/fix: small decks in closed form, each with one thing to correct.
-
-    scripts/fix_scenes.py [DIR]
+"""Writes the scenes of docs/fix.md into data/fix: small decks in closed form, each with one thing to correct. Deterministic.
 
 Shells have thickness 1 and edges of about 5 unless the scene says otherwise; units are mm, t, s.
 """
 import math
-import pathlib
 import sys
+
+sys.dont_write_bytecode = True  # keeps the source tree clean
+
+import generated
 
 
 class Deck:
@@ -114,10 +115,10 @@ def welded_stack():
 
 def bolt():
     d = Deck("a shank of bricks, 0.1 too thick for the hole of a plate of bricks")
-    d.block(lambda i, j, k: ((5.0 + 5.0 * j) * math.cos(math.pi * i / 12), (5.0 + 5.0 * j) * math.sin(math.pi * i / 12),
+    d.block(lambda i, j, k: ((5.0 + 5.0 * j) * math.cos(math.pi * i / 12), (5.0 + 5.0 * j) * math.sin(-math.pi * i / 12),
                              4.0 * k), 24, 3, 2, wrap=True)
     d.block(lambda i, j, k: ((1.0 + 2.05 * j) * math.cos(math.pi * (i + 0.5) / 12),
-                             (1.0 + 2.05 * j) * math.sin(math.pi * (i + 0.5) / 12), 4.0 * k - 4.0), 24, 2, 4, wrap=True)
+                             (1.0 + 2.05 * j) * math.sin(-math.pi * (i + 0.5) / 12), 4.0 * k - 4.0), 24, 2, 4, wrap=True)
     return d
 
 
@@ -137,7 +138,7 @@ def corner():
 
     def place(i, j):
         u, v = 5.0 * i, 5.0 * j
-        return (14.2 + (u - v) * math.cos(a), 16.3 + 0.3 * (u + v), -1.4 + (u + v) * math.sin(b) * 0.7)
+        return (14.2 + (u - v) * math.cos(a), 16.3 + 0.3 * (u + v), -0.9 + (u + v) * math.sin(b) * 0.7)
     d.sheet(place, 4, 4)
     return d
 
@@ -219,7 +220,7 @@ def three_sheets():
     d = Deck("a sheet with its end through two others")
     d.sheet(flat(), 10, 8)
     d.sheet(flat(0.7, 0.9, 2.5), 10, 8)
-    d.sheet(tilted(30, 24.1, 9.2, 2.5, 1.0), 6, 4)
+    d.sheet(tilted(30, 24.1, 9.2, 2.5, 0.7), 6, 4)
     return d
 
 
@@ -270,13 +271,11 @@ SCENES = {
 }
 
 
-def main():
-    root = pathlib.Path(__file__).resolve().parent.parent
-    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else root / "data" / "fix"
+def write_all(folder):
     folder.mkdir(parents=True, exist_ok=True)
     for name, make in SCENES.items():
         (folder / f"{name}.k").write_text(make().text())
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(generated.main(__doc__, "make_fix_scenes.py", "data/fix", write_all))

@@ -1,4 +1,4 @@
-#include "audit/fix/untangling.hpp"
+#include "audit/untangle/untangling.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -80,71 +80,75 @@ void Untangling::take_contact(const model::Model& model, const contact::ContactS
   if (surfaces.two_sided()) of_b.emplace(surfaces.b, model.mesh, x);
   const CutSurface& b = of_b ? *of_b : a;
   for (const Contour& contour : find_contours(model.mesh, pairs)) {
-    Hooked hooked{contact, contour.elements, contour.pairs};
-    bool any = false;
+    CrossingPlace place;
+    place.contact = contact;
+    place.elements = contour.elements;
+    place.pairs = contour.pairs;
     if (!contains_any(contour, pairs, left_alone)) {
       // On side A are the first elements, or in contacts with two sides perhaps the second ones.
       const bool turned = a.around(model.mesh, contour.elements[0]).empty();
       const CutSurface &first = turned ? b : a, &second = turned ? a : b;
-      for (const WrongPiece& piece :
-           find_wrong_pieces(contour, model.mesh, first, second, reach_at(first, second, model.mesh, contour), work)) {
-        const CutSurface &own = piece.other_is_second ? first : second, &other = piece.other_is_second ? second : first;
-        const double too_deep = take_piece(piece, own, other, contact, work);
-        any |= too_deep == 0;
-        hooked.too_deep = std::max(hooked.too_deep, too_deep);
+      const double reach = reach_at(first, second, model.mesh, contour);
+      for (const WrongPiece& piece : find_wrong_pieces(contour, model.mesh, first, second, reach, work)) {
+        place.divided = true;
+        if (piece.other_is_second)
+          take_piece(piece, first, second, place, work);
+        else
+          take_piece(piece, second, first, place, work);
       }
     }
-    if (!any) hooked_.push_back(std::move(hooked));
+    places_.push_back(std::move(place));
   }
 }
 
-/// Adds its gaps; returns how deep the piece is if it is too deep, else 0.
-double Untangling::take_piece(const WrongPiece& piece, const CutSurface& own, const CutSurface& other,
-                              ContactIndex contact, std::uint64_t& work) {
+/// Adds its nodes and sides, or to `place` how deep it is if that is too deep.
+void Untangling::take_piece(const WrongPiece& piece, const CutSurface& own, const CutSurface& other,
+                            CrossingPlace& place, std::uint64_t& work) {
   const auto facing = face_piece(piece, other, work);
+  if (!facing || facing->empty()) return;
   double deepest = 0, distance = 0, size = 0;
-  if (!facing || facing->empty()) return std::numeric_limits<double>::infinity();
-  std::vector<Found> found;
-  Place place;
+  std::vector<KnownSide> found;
+  Nodes nodes;
   for (const Facing& f : *facing) {
     const std::size_t segment = f.face.segment.value;
     const NodeThickness thickness(own, f.node);
-    Gap gap;
-    gap.contact = contact;
-    gap.node = f.node;
-    gap.corners = other.segments().nodes[segment];
-    gap.side = f.face.side;
-    gap.distance = thickness.half + other.segments().half[segment];
-    gap.shift = thickness.shift;
-    if (!other.segments().offset.empty()) gap.offset = other.segments().offset[segment];
-    place.other.insert(gap.corners.begin(), gap.corners.end());
-    double depth = gap.distance + (f.wrong ? f.depth : -f.depth);
-    if (piece.nodes.empty())
-      depth = std::max(depth, 2 * contact::crossing_tolerance * diagonal_of(other, f.face.segment));
+    KnownSide known;
+    known.contact = place.contact;
+    known.node = f.node;
+    known.corners = other.segments().nodes[segment];
+    known.side = f.face.side;
+    known.distance = thickness.half + other.segments().half[segment];
+    known.shift = thickness.shift;
+    if (!other.segments().offset.empty()) known.offset = other.segments().offset[segment];
+    known.depth = known.distance + (f.wrong ? f.depth : -f.depth);
+    // Segments that graze each other are not far enough from each other, though their corners may be.
+    known.step = 2 * contact::crossing_tolerance * diagonal_of(other, f.face.segment);
+    if (piece.nodes.empty()) known.depth = std::max(known.depth, known.step);
+    nodes.other.insert(known.corners.begin(), known.corners.end());
     if (f.wrong) deepest = std::max(deepest, f.depth);
-    distance = std::max(distance, gap.distance);
+    distance = std::max(distance, known.distance);
     size += diagonal_of(other, f.face.segment);
-    if (depth > 0) found.push_back({gap, depth});
+    if (known.depth > 0) found.push_back(known);
   }
   size /= static_cast<double>(facing->size());
-  if (deepest > Untangling::reach(size, distance)) return deepest;
-  place.piece.insert(piece.nodes.begin(), piece.nodes.end());
-  place.piece.insert(piece.rim.begin(), piece.rim.end());
-  gaps_.insert(gaps_.end(), found.begin(), found.end());
-  places_.push_back(std::move(place));
-  return 0;
-}
-
-void Untangling::add_to(Gaps& gaps, const model::Mesh& mesh, const std::vector<Vector>& x) const {
-  for (const Found& one : gaps_) gaps.add(mesh, one.gap, one.depth, x);
+  if (deepest > reach(size, distance)) {
+    place.too_deep = std::max(place.too_deep, deepest);
+    return;
+  }
+  const std::vector<NodeIndex>& changing = piece.nodes.empty() ? piece.rim : piece.nodes;
+  place.nodes.insert(place.nodes.end(), changing.begin(), changing.end());
+  nodes.piece.insert(piece.nodes.begin(), piece.nodes.end());
+  nodes.piece.insert(piece.rim.begin(), piece.rim.end());
+  sides_.insert(sides_.end(), found.begin(), found.end());
+  nodes_.push_back(std::move(nodes));
 }
 
 bool Untangling::at_crossing(NodeIndex node, const model::SegmentNodes& segment) const {
   const auto on = [&](const std::set<NodeIndex>& nodes) {
     return std::any_of(segment.begin(), segment.end(), [&](NodeIndex n) { return nodes.contains(n); });
   };
-  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
-    return (place.piece.contains(node) && on(place.other)) || (place.other.contains(node) && on(place.piece));
+  return std::any_of(nodes_.begin(), nodes_.end(), [&](const Nodes& at) {
+    return (at.piece.contains(node) && on(at.other)) || (at.other.contains(node) && on(at.piece));
   });
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "model/model.hpp"
+#include "records/fix.hpp"
+
+namespace gapcheck::audit {
+
+/// Crossings at the model's present coordinates, contour by contour, each with the reason why it is still there.
+/// `reason`: why a node could not move; `none` if it could.
+[[nodiscard]] std::vector<LeftCrossing> left_crossings(const model::Model& model,
+                                                       const std::function<HoldReason(NodeIndex)>& reason);
+
+}  // namespace gapcheck::audit
