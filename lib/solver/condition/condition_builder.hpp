@@ -79,8 +79,7 @@ void apply_body_properties(ConditionBuilder& builder);
 void apply_joints(ConditionBuilder& builder);
 void apply_loads(ConditionBuilder& builder);
 /// Lets degrees of freedom follow the equations of *CONSTRAINED_LINEAR_GLOBAL and _LOCAL, or each other
-/// (*CONSTRAINED_NODE_SET). A
-/// failure names nodes that cannot, or what is not calculated together with them.
+/// (*CONSTRAINED_NODE_SET). A failure names nodes that cannot, or what is not calculated together with them.
 void apply_linear_constraints(ConditionBuilder& builder);
 void apply_boundary(ConditionBuilder& builder);
 void apply_prescribed_motions(ConditionBuilder& builder);
