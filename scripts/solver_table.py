@@ -94,6 +94,7 @@ ROWS = [
     ("081: damaged stress", "(1 − ω) times that of 024", "PlasticityWithDamage.FollowsTheUndamagedStress", None, 0),
     ("123: EPSTHIN, EPSMAJ", "strains of constant volume", "ModifiedPlasticity.FailsByItsStrains", None, 0),
     ("181: uniaxial load, foam and rubber", "the card's curve", "PrincipalLaw.TabulatedLawGivesItsCurveBack", None, 0),
+    ("181 with a table: constant rates", "curve between the table's", "RateLaws.ConstantRate", None, 0),
     ("037: yield and thinning under tension", "R / (1 + R)", "Anisotropic.UniaxialYieldAndThinning", None, 0),
     ("100: failure by each resultant", "the card's value", "SpotWeld.FailsAtItsResultants", None, 0),
     ("100 in bricks: resultants of 200 warped bricks", "sums at both faces", "WeldBrick.ResultantsOfWarpedBricks", None, 0),

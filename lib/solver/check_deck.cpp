@@ -164,11 +164,12 @@ SolverStatus check_linear(const model::Model& model, const model::Contact& conta
                           const contact::ContactSurfaces& surfaces) {
   if (model.linear_constraints.empty() && model.joined_sets.empty()) return {};
   if (method != ContactMethod::constraint && !contact::ties_by_constraint(surfaces.type)) return {};
-  return Failure{Failure::Kind::not_calculated,
-                 fmt::format("contact {} (*{}) acts by constraints, which is not calculated together with "
-                             "*CONSTRAINED_LINEAR_GLOBAL and _NODE_SET; use a penalty type or a tie with _OFFSET",
-                             contact.id.value, contact.written),
-                 contact.place};
+  return Failure{
+      Failure::Kind::not_calculated,
+      fmt::format("contact {} (*{}) acts by constraints, which is not calculated together with "
+                  "*CONSTRAINED_LINEAR_GLOBAL, _LOCAL and _NODE_SET; use a penalty type or a tie with _OFFSET",
+                  contact.id.value, contact.written),
+      contact.place};
 }
 
 /// Contacts whose times or offsets in a dynamic relaxation are not known.

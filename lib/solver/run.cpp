@@ -202,6 +202,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   run.initial_ = std::make_unique<contact::InitialState>(
       contact::initialise_contacts(model, surfaces, contact::InitialOptions{}, counters));
   for (const std::string& note : run.initial_->notes) diagnostics.warning("", 0, note);
+  if (const SolverStatus faces = check_tied_faces(model, *run.initial_); !faces.ok()) return faces.error();
   BuildSettings build = settings.build;
   if (build.x == nullptr) build.x = &run.initial_->x;
   auto structure = build_structure(model, build, diagnostics);

@@ -206,7 +206,7 @@ class Finder {
         if (const std::string why = johnson_cook_not_calculated(*material.johnson_cook); !why.empty())
           add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
       for (const std::string& why :
-           {foam_rubber_not_calculated(material), plasticity_not_calculated(material),
+           {foam_rubber_not_calculated(model_, material), plasticity_not_calculated(material),
             material.orthotropic ? orthotropic_not_calculated(*material.orthotropic) : std::string()})
         if (!why.empty()) add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
       if (material.hydro)

@@ -46,6 +46,8 @@ struct TabulatedRubber {
   SpecimenTest test;
   double bulk = 0, damping = 0, poisson = 0;  ///< KM, MU, PR
   double unloading = 0, shape = 0;            ///< HU, SHAPE
+  double tension = 0, rate_type = 0;          ///< TENSION, RTYPE, of tables
+  double averaging = 0;                       ///< AVGOPT of tables; below 0: minus a time
   std::int64_t unloading_curve = 0;
   std::string unread;  ///< the first field or option that is not calculated
 };

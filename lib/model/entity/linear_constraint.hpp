@@ -7,15 +7,17 @@
 
 namespace gapcheck::model {
 
-/// *CONSTRAINED_LINEAR_GLOBAL: Σ cₖ uₖ = 0 of degrees of freedom in global axes; as written.
+/// *CONSTRAINED_LINEAR_GLOBAL and _LOCAL: Σ cₖ uₖ = 0 of degrees of freedom, each in axes of its own; as written.
 struct LinearConstraint {
   struct Term {
     std::int64_t node = 0;
     std::int64_t freedom = 0;  ///< 1 … 3 translations, 4 … 6 rotations
+    std::int64_t system = 0;   ///< CID of _LOCAL; 0: global axes
     double factor = 0;
     Place place;
   };
   std::int64_t id = 0;
+  bool local = false;  ///< _LOCAL
   std::vector<Term> terms;
   Place place;
 };

@@ -54,6 +54,10 @@ TabulatedRubber read_tabulated(const Context& context, CardReader& reader, const
   const Card second = reader.next(keyword::card_layout("MAT_SIMPLIFIED_RUBBER/FOAM", "card2"));
   rubber.test = read_test(second, context.transform(block).length_factor, "tbid");
   rubber.poisson = second.real("pr");
+  rubber.tension = second.real("tension");
+  rubber.rate_type = second.real("rtype");
+  rubber.averaging = second.real("avgopt");
+  if (rubber.averaging < 0) rubber.averaging *= context.transform(block).time_factor;
   if (name.find("WITH_FAILURE") != std::string_view::npos) {
     rubber.unread = "WITH_FAILURE";
     reader.skip();

@@ -202,15 +202,19 @@ void read_generalized_weld(Context& context, const Block& block, const Options& 
 
 void read_linear_constraint(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
-  const Card card = reader.next(keyword::card_layout("CONSTRAINED_LINEAR_GLOBAL", "card1"));
   LinearConstraint constraint;
+  constraint.local = block.name.find("LOCAL") != std::string::npos;
+  const std::string_view keyword = constraint.local ? "CONSTRAINED_LINEAR_LOCAL" : "CONSTRAINED_LINEAR_GLOBAL";
+  const Card card = reader.next(keyword::card_layout(keyword, "card1"));
   constraint.id = card.integer("lcid");
   constraint.place = Context::place(block, block.line);
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
-    const Card term = reader.next(keyword::card_layout("CONSTRAINED_LINEAR_GLOBAL", "card2"));
+    const Card term = reader.next(keyword::card_layout(keyword, "card2"));
+    const std::int64_t system = constraint.local ? term.integer("cid") : 0;
+    note_system(context, system);
     constraint.terms.push_back(
-        {term.integer("nid"), term.integer("dof"), term.real("coef"), Context::place(block, term.line())});
+        {term.integer("nid"), term.integer("dof"), system, term.real("coef"), Context::place(block, term.line())});
   }
   context.model.linear_constraints.push_back(std::move(constraint));
 }

@@ -109,6 +109,7 @@ constexpr KeywordFamily keyword_families[] = {
     {"CONSTRAINED_SPOTWELD", Phase::rest, read_spot_weld, "ID FILTERED FORCE"},
     {"CONSTRAINED_GENERALIZED_WELD_SPOT", Phase::rest, read_generalized_weld, "ID"},
     {"CONSTRAINED_LINEAR_GLOBAL", Phase::rest, read_linear_constraint},
+    {"CONSTRAINED_LINEAR_LOCAL", Phase::rest, read_linear_constraint},
     {"CONSTRAINED_NODE_SET", Phase::rest, read_joined_set, "ID"},
     {"CONSTRAINED_INTERPOLATION", Phase::rest, read_interpolation, "LOCAL"},
     {"CONSTRAINED_JOINT", Phase::rest, read_joint, "SPHERICAL REVOLUTE CYLINDRICAL PLANAR UNIVERSAL TRANSLATIONAL ID"},

@@ -13,7 +13,14 @@ namespace {
 
 using LinearFreedom = LinearConstraints::Freedom;
 
-constexpr std::string_view linear_keyword = "CONSTRAINED_LINEAR_GLOBAL", joined_keyword = "CONSTRAINED_NODE_SET";
+constexpr std::string_view joined_keyword = "CONSTRAINED_NODE_SET";
+
+std::string_view linear_keyword(const model::LinearConstraint& equation) {
+  return equation.local ? "CONSTRAINED_LINEAR_LOCAL" : "CONSTRAINED_LINEAR_GLOBAL";
+}
+
+/// Components of a local direction below this are rounding.
+constexpr double no_share = 1e-12;
 /// Equations that share degrees of freedom are solved by a full matrix.
 constexpr std::size_t most_equations = 500;
 
@@ -78,7 +85,7 @@ void add_linear_equation(ConditionBuilder& builder, const model::LinearConstrain
                          LinearConstraints& constraints) {
   std::vector<LinearConstraints::Term> terms;
   const auto fail = [&](Failure::Kind kind, model::Place place, std::string_view why) {
-    builder.fail(kind, linear_keyword, place, fmt::format("constraint {}: {}", equation.id, why));
+    builder.fail(kind, linear_keyword(equation), place, fmt::format("constraint {}: {}", equation.id, why));
   };
   if (equation.terms.empty())
     return fail(Failure::Kind::contradiction, equation.place, "it has no degrees of freedom; name them");
@@ -93,9 +100,19 @@ void add_linear_equation(ConditionBuilder& builder, const model::LinearConstrain
     if (term.factor == 0 || !std::isfinite(term.factor))
       return fail(Failure::Kind::contradiction, term.place,
                   fmt::format("COEF = {:g} of node {}; give a number other than 0", term.factor, term.node));
-    const LinearFreedom at{*node, static_cast<std::uint8_t>(term.freedom - 1)};
-    if (!check_freedom(builder, at, linear_keyword, term.place)) return;
-    terms.push_back({at, term.factor});
+    const auto first = static_cast<std::uint8_t>(term.freedom < 4 ? 0 : 3);
+    Vector direction = Vector::Unit(term.freedom - 1 - first);
+    if (term.system != 0) {
+      const auto axes = builder.system(term.system, linear_keyword(equation), term.place);
+      if (!axes) return;
+      direction = axes->col(term.freedom - 1 - first);
+    }
+    for (std::uint8_t axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(direction[axis]) > no_share)) continue;
+      const LinearFreedom at{*node, static_cast<std::uint8_t>(first + axis)};
+      if (!check_freedom(builder, at, linear_keyword(equation), term.place)) return;
+      terms.push_back({at, term.factor * direction[axis]});
+    }
   }
   constraints.add_equation(terms);
 }
@@ -107,7 +124,7 @@ void apply_linear_constraints(ConditionBuilder& builder) {
   const bool equations = !model.linear_constraints.empty();
   if (!equations && model.joined_sets.empty()) return;
   const model::Place place = equations ? model.linear_constraints[0].place : model.joined_sets[0].place;
-  const std::string_view keyword = equations ? linear_keyword : joined_keyword;
+  const std::string_view keyword = equations ? linear_keyword(model.linear_constraints[0]) : joined_keyword;
   const auto refuse = [&](std::string_view other) {
     builder.fail(Failure::Kind::not_calculated, keyword, place,
                  fmt::format("linear constraints and {} are not calculated in one run; leave one of both out", other));

@@ -78,8 +78,8 @@ void apply_body_properties(ConditionBuilder& builder);
 /// Joins rigid bodies. A failure names nodes that are in no rigid body or in the same, or that give no axis.
 void apply_joints(ConditionBuilder& builder);
 void apply_loads(ConditionBuilder& builder);
-/// Lets degrees of freedom follow the equations of *CONSTRAINED_LINEAR_GLOBAL, or each other (*CONSTRAINED_NODE_SET). A
-/// failure names nodes that cannot, or what is not calculated together with them.
+/// Lets degrees of freedom follow the equations of *CONSTRAINED_LINEAR_GLOBAL and _LOCAL, or each other
+/// (*CONSTRAINED_NODE_SET). A failure names nodes that cannot, or what is not calculated together with them.
 void apply_linear_constraints(ConditionBuilder& builder);
 void apply_boundary(ConditionBuilder& builder);
 void apply_prescribed_motions(ConditionBuilder& builder);

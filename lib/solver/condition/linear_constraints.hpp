@@ -7,7 +7,8 @@
 
 namespace gapcheck::solver {
 
-/// Degrees of freedom that move together or by linear equations (*CONSTRAINED_NODE_SET, *CONSTRAINED_LINEAR_GLOBAL).
+/// Degrees of freedom that move together or by linear equations (*CONSTRAINED_NODE_SET, *CONSTRAINED_LINEAR_GLOBAL and
+/// _LOCAL).
 /// Joined ones have the velocity of their common momentum; equations Σ c v = 0 get reactions −c λ, which do no work
 /// together. Equations that share degrees of freedom are solved at once. In the first cycle the initial velocities are
 /// replaced by the nearest ones, by the masses, that meet them.

@@ -55,10 +55,11 @@ std::string_view option_not_calculated(const model::Contact& contact) {
 
 ContactChoice choose_tiebreak(const model::Contact& contact, const contact::ContactType& type) {
   if (type.treatment == contact::Treatment::single_surface &&
-      (type.code != contact::ContactCode::automatic_single || std::abs(contact.tiebreak_option) != 1))
+      (type.code != contact::ContactCode::automatic_single || std::abs(contact.tiebreak_option) == 3))
     return no(
-        "of tiebreaks of a single surface AUTOMATIC_SINGLE_SURFACE with OPTION 1 and -1 is calculated: how the nodes "
-        "of both faces share a strength is not published; use AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK");
+        "of tiebreaks of a single surface AUTOMATIC_SINGLE_SURFACE without OPTION 3 and -3 is calculated: how the "
+        "nodes "
+        "of both faces that touch later share a strength is not published; use AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK");
   if (contact.kind->automatic_tiebreak()) {
     if (contact.kind->tie == model::TieForm::automatic_tiebreak_user)
       return no("tiebreaks by a user's law are not calculated");

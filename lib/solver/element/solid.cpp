@@ -64,8 +64,8 @@ double stored_energy(const SolidProperties& properties, const SolidState& state,
   return energy;
 }
 
-double update_rubber(const Material& material, const Matrix& axes, double volume, const Matrix& gradient, double dt,
-                     SolidState& state, PointState& point) {
+RubberBounds update_rubber(const Material& material, const Matrix& axes, double volume, const Matrix& gradient,
+                           double dt, SolidState& state, PointState& point) {
   const Matrix f = axes * *state.undeformed;
   const double growth = f.determinant();
   if (material.finite) {
@@ -75,11 +75,11 @@ double update_rubber(const Material& material, const Matrix& axes, double volume
     point.stress = now.stress;
     point.plastic_work += (history.lost - lost) / growth;
     state.strain_energy = volume / growth * now.energy;
-    return now.bound / growth;
+    return {now.bound / growth, now.viscosity / growth};
   }
   point.stress = rubber_stress(material.rubber, f);
   state.strain_energy = volume / growth * rubber_energy(material.rubber, f);
-  return rubber_stiffness_bound(material.rubber, f) / growth;
+  return {rubber_stiffness_bound(material.rubber, f) / growth, 0};
 }
 
 void set_time_steps(double density, double length, double squared_gradient, double corners,
@@ -89,11 +89,13 @@ void set_time_steps(double density, double length, double squared_gradient, doub
   // The strain energy is at most max(3 K, 2 G) |∇u|² / 2; each corner has 1 / corners of the mass. Damping at the
   // fraction ξ of the critical shortens the step by √(1 + ξ²) − ξ. The viscosity gives ρ l Q per volume rate where the
   // stiffness gives at least K per volume strain, so that ξ is at most ω ρ l Q / (2 K).
-  // The damping of foams has the viscosity η for each strain rate where the bound is the stiffness: ω η / (2 bound).
+  // The damping of foams, and stresses by the rate, have the viscosity η for each strain rate where the bound is the
+  // stiffness: ω η / (2 bound).
   const double squared_frequency = stiffness.bound / density * corners * squared_gradient;
   double fraction =
       stiffness.volume > 0 ? std::sqrt(squared_frequency) * density * length * q / (2 * stiffness.volume) : 0;
-  if (stiffness.bound > 0) fraction += std::sqrt(squared_frequency) * viscosity.damping / (2 * stiffness.bound);
+  if (stiffness.bound > 0)
+    fraction += std::sqrt(squared_frequency) * (viscosity.damping + stiffness.viscosity) / (2 * stiffness.bound);
   forces.stable_step = 2 / std::sqrt(squared_frequency) * (std::sqrt(1 + fraction * fraction) - fraction);
 }
 

@@ -83,12 +83,18 @@ struct SolidState {
 
 /// Moduli of a solid at present.
 struct SolidStiffness {
-  double wave = 0;    ///< of a plane wave
-  double bound = 0;   ///< of the strain energy: twice it per squared gradient, max(3 K, 2 G)
-  double volume = 0;  ///< K, at most
+  double wave = 0;       ///< of a plane wave
+  double bound = 0;      ///< of the strain energy: twice it per squared gradient, max(3 K, 2 G)
+  double volume = 0;     ///< K, at most
+  double viscosity = 0;  ///< the stress changes at most so much with the strain rate of the step
 };
-/// `rubber`: what update_rubber() returned, which bounds both.
-[[nodiscard]] SolidStiffness solid_stiffness(const Material& material, const SolidState& state, double rubber = 0);
+/// Bounds of a rubber, per volume: of the second derivative of its energy, and the viscosity of SolidStiffness.
+struct RubberBounds {
+  double stiffness = 0, viscosity = 0;
+};
+/// `rubber`: what update_rubber() returned.
+[[nodiscard]] SolidStiffness solid_stiffness(const Material& material, const SolidState& state,
+                                             const RubberBounds& rubber = {});
 
 /// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.
 struct SolidForces {
@@ -180,10 +186,9 @@ struct BulkViscosity {
 [[nodiscard]] double viscous_work(double pressure, double volume_change, SolidState& state);
 
 /// Stress and energy of rubber whose axes are now `axes`; `volume`: now, `gradient`: of the velocity in the middle of
-/// the step of dt. Returns the bound of its second derivative per volume. What a FiniteLaw dissipates counts as plastic
-/// work.
-double update_rubber(const Material& material, const Matrix& axes, double volume, const Matrix& gradient, double dt,
-                     SolidState& state, PointState& point);
+/// the step of dt. What a FiniteLaw dissipates counts as plastic work.
+RubberBounds update_rubber(const Material& material, const Matrix& axes, double volume, const Matrix& gradient,
+                           double dt, SolidState& state, PointState& point);
 
 /// Of a point with an equation of state: what its deviator stores and has dissipated, per volume; otherwise 0.
 [[nodiscard]] double deviatoric_energy(const Material& material, const PointState& point);

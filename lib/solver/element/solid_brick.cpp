@@ -222,9 +222,10 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   const double flowed = point.plastic_work, deviatoric = deviatoric_energy(material, point);
   const Matrix rotation = update_solid_stress(material, gradient, dt, point);
   if (state.imposed != nullptr) point.stress = state.imposed->on(point.stress);
-  const double rubber = material.kind == MaterialKind::rubber
-                            ? update_rubber(material, brick_axes(corners.x), out.volume, gradient, dt, state, point)
-                            : 0;
+  const RubberBounds rubber =
+      material.kind == MaterialKind::rubber
+          ? update_rubber(material, brick_axes(corners.x), out.volume, gradient, dt, state, point)
+          : RubberBounds();
 
   const Matrix gram = outer_sum(end, end) / (out.volume * out.volume);
   const double density = state.mass / out.volume, length = out.volume / largest_face_area(corners.x);

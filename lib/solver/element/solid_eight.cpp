@@ -104,10 +104,15 @@ BrickModes forces_of(const BrickMap& map, double viscous_pressure, std::span<con
 
 struct RubberForces {
   BrickModes forces;
-  double stiffness = 0;  ///< bound of the second derivative per volume and squared gradient
-  double lost = 0;       ///< dissipated in the step by a FiniteLaw
+  RubberBounds bounds;  ///< the stiffness per squared gradient
+  double lost = 0;      ///< dissipated in the step by a FiniteLaw
   bool good = true;
 };
+
+void raise(RubberBounds& bounds, double stiffness, double viscosity) {
+  bounds.stiffness = std::max(bounds.stiffness, stiffness);
+  bounds.viscosity = std::max(bounds.viscosity, viscosity);
+}
 
 /// Of a point with a FiniteLaw: its stress and bound; adds its energies.
 FinitePoint update_finite_point(const Material& material, const Matrix& f, const Matrix& gradient, double dt,
@@ -144,7 +149,7 @@ RubberForces foam_forces(const Material& material, const BrickModes& x, const Po
                                                 state.finite[p], state, result.lost);
     points[p].stress = now.stress;
     nominal.set(p, own * to_matrix(now.stress) * gradient.inverse().transpose());
-    result.stiffness = std::max(result.stiffness, now.bound / own);
+    raise(result.bounds, now.bound / own, now.viscosity / own);
   }
   result.forces = brick_stress_forces(start, nominal);
   return result;
@@ -169,12 +174,13 @@ RubberForces rubber_forces(const Material& material, const BrickMap& now, const 
       return result;
     }
     const Matrix f = std::cbrt(growth / own) * gradient;
-    double bound = 0;
+    double bound = 0, viscosity = 0;
     if (material.finite) {
       const FinitePoint present = update_finite_point(material, f, rates.gradients.at(p), rates.dt, start.volume[p],
                                                       state.finite[p], state, result.lost);
       points[p].stress = present.stress;
       bound = present.bound;
+      viscosity = present.viscosity;
     } else {
       points[p].stress = rubber_stress(material.rubber, f);
       state.strain_energy += start.volume[p] * rubber_energy(material.rubber, f);
@@ -183,7 +189,7 @@ RubberForces rubber_forces(const Material& material, const BrickMap& now, const 
     mean_trace += start.volume[p] / start.total * trace(points[p].stress);
     nominal.set(p, growth * to_matrix(deviator(points[p].stress)) * gradient.inverse().transpose());
     const double spread = std::max(1.0, growth * start.volume[p] / now.volume[p]);
-    result.stiffness = std::max(result.stiffness, spread * bound / growth);
+    raise(result.bounds, spread * bound / growth, spread * viscosity / growth);
   }
   result.forces = brick_stress_forces(start, nominal);
   add(result.forces, mean_trace / 3, now.slope);
@@ -248,7 +254,7 @@ SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule
   out.dissipated = material.hydro ? 0 : works.plastic + of_rubber.lost + out.viscous_work;
   update_pressure(material, out.volume, works.deviatoric + out.viscous_work, state, points);
   for (PointState& point : points) erode(material, dt, point);
-  const SolidStiffness stiffness = solid_stiffness(material, state, of_rubber.stiffness);
+  const SolidStiffness stiffness = solid_stiffness(material, state, of_rubber.bounds);
   const double shear = rubber || !(stiffness.bound > 0) ? 1 : 2 * material.shear() / stiffness.bound;
   set_time_steps(density, length, gradient_bound(end, x, 1, shear) / out.volume, least_share(rule), viscosity,
                  stiffness, out);

@@ -29,8 +29,8 @@ bool spalls(const Hydrodynamic& hydro, double pressure, std::span<const PointSta
 
 }  // namespace
 
-SolidStiffness solid_stiffness(const Material& material, const SolidState& state, double rubber) {
-  if (rubber > 0) return {material.wave_modulus(), rubber, rubber / 3};
+SolidStiffness solid_stiffness(const Material& material, const SolidState& state, const RubberBounds& rubber) {
+  if (rubber.stiffness > 0) return {material.wave_modulus(), rubber.stiffness, rubber.stiffness / 3, rubber.viscosity};
   if (!material.hydro)
     return {material.wave_modulus(), std::max(3 * material.bulk(), 2 * material.shear()), material.bulk()};
   const FluidState& fluid = state.fluid;

@@ -68,9 +68,10 @@ SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCor
   const double flowed = point.plastic_work, deviatoric = deviatoric_energy(material, point);
   update_solid_stress(material, gradient, dt, point);
   if (state.imposed != nullptr) point.stress = state.imposed->on(point.stress);
-  const double rubber = material.kind == MaterialKind::rubber ? update_rubber(material, tetrahedron_axes(corners.x),
-                                                                              out.volume, gradient, dt, state, point)
-                                                              : 0;
+  const RubberBounds rubber =
+      material.kind == MaterialKind::rubber
+          ? update_rubber(material, tetrahedron_axes(corners.x), out.volume, gradient, dt, state, point)
+          : RubberBounds();
   const double density = state.mass / out.volume;
   const double length = 3 * out.volume / std::sqrt(squared_face);  // the shortest height
   const double speed = std::sqrt(solid_stiffness(material, state).wave / density);

@@ -50,6 +50,27 @@ void update_branch(const FiniteLaw& law, const Matrix& gradient, double dt, doub
   history.lost += volume * (work - branch_energy(law, history.branch) + branch_energy(law, before));
 }
 
+/// What the strain rate adds to the law, by the rate of this step and of those before it.
+RateLaws::Excess rate_excess(const RateLaws& laws, const Vector& x, const Matrix& axes, const Matrix& gradient,
+                             double dt, FiniteHistory& history) {
+  if (dt > 0) {
+    const Vector rates_of_x = (axes.transpose() * gradient * axes).diagonal();
+    constexpr double steps = 12;
+    const bool by_time = laws.window > 0;
+    history.rate.add(laws.present(x, rates_of_x), by_time ? dt : 1, by_time ? laws.window : steps);
+  }
+  return laws.excess(x, history.rate.mean());
+}
+
+/// The work of the stress that the rate adds is not stored.
+void lose_excess_work(const Symmetric& excess, const Matrix& gradient, double dt, FiniteHistory& history) {
+  const Vector spin(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
+  const Symmetric before = rotated(history.excess, spin_rotation(dt / 2 * spin));
+  const Symmetric rate = rotated(to_symmetric(gradient), spin_rotation(dt / 4 * spin));
+  history.lost += dt / 2 * (contract(before, rate) + contract(excess, rate));
+  history.excess = excess;
+}
+
 /// W_max grows with W, or falls back towards it.
 void update_most(const FiniteLaw& law, double energy, double dt, FiniteHistory& history) {
   if (energy >= history.most_energy) {
@@ -78,13 +99,23 @@ FinitePoint update_finite(const FiniteLaw& law, const Matrix& f, const Matrix& g
   update_most(law, response.energy, dt, history);
   const Weakened left = weakened(law, response.energy, history.most_energy);
   const PrincipalResponse rest = law.elastic->volume(x);
-  const Vector force = left.factor * response.force + rest.force;
+  Vector force = left.factor * response.force + rest.force;
   if (law.weakens()) response.slope += left.second * response.force * response.force.transpose();
   response.force += rest.force;
   response.slope += rest.slope;
   update_branch(law, gradient, dt, volume, history);
 
   FinitePoint point;
+  if (law.rates) {
+    const RateLaws::Excess excess = rate_excess(*law.rates, x, axes, gradient, dt, history);
+    const Vector added = left.factor * excess.force;
+    force += added;
+    response.force += excess.force;
+    response.slope += excess.slope;
+    const double of_rate = law.rates->engineering ? std::exp(x.cwiseAbs().maxCoeff()) : 1;
+    point.viscosity = excess.force_over_rate.norm() * of_rate * history.rate.newest_share();
+    lose_excess_work(to_symmetric(axes * added.asDiagonal() * axes.transpose()), gradient, dt, history);
+  }
   point.stress = to_symmetric(axes * force.asDiagonal() * axes.transpose() / volume);
   for (std::size_t i = 0; i < 6; ++i) point.stress[i] += history.branch[i];
   point.energy = left.energy + rest.energy + volume * branch_energy(law, history.branch);

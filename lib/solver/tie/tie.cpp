@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <tuple>
 
 #include "base/quad.hpp"
 #include "contact/definition/active_time.hpp"
@@ -15,6 +18,12 @@ namespace {
 bool tied(const model::Contact& contact) {
   const ContactMethod method = choose_method(contact).method;
   return method == ContactMethod::tie || method == ContactMethod::tiebreak;
+}
+
+/// Tiebreaks of a single surface with a strength.
+bool may_fail_on_both_faces(const model::Contact& contact) {
+  return contact.kind->breaks() && contact::classify(contact).treatment == contact::Treatment::single_surface &&
+         choose_method(contact).method == ContactMethod::tiebreak && std::abs(contact.tiebreak_option) != 1;
 }
 
 /// Rotations on which forces can do work.
@@ -190,6 +199,32 @@ void TieLoads::add_to(const Tie& tie, const State& state, ContactState& result) 
     result.force_b += forces[i];
     result.moment_b += state.x[tie.point.nodes[i].value].cross(forces[i]) + moments[i];
   }
+}
+
+SolverStatus check_tied_faces(const model::Model& model, const contact::InitialState& initial) {
+  using Faces = std::tuple<ContactIndex, PartIndex, PartIndex>;
+  std::map<Faces, NodeIndex> first;  // a node of the first part that is tied to the second
+  for (const contact::JudgedNode& judged : initial.judged) {
+    const model::Contact& contact = model.contact(judged.contact);
+    if (!judged.tied() || !may_fail_on_both_faces(contact)) continue;
+    const auto& [faces, node] =
+        *first.emplace(Faces(judged.contact, judged.part, judged.segment_part), judged.node).first;
+    const auto back = first.find(Faces(judged.contact, judged.segment_part, judged.part));
+    if (back == first.end()) continue;
+    const auto id = [&](NodeIndex n) { return model.mesh.nodes.id[n.value]; };
+    const auto part = [&](PartIndex p) { return p == none<PartIndex> ? 0 : model.part(p).id.value; };
+    const std::string which =
+        judged.part == judged.segment_part
+            ? fmt::format("node {} of part {} is tied to its own part", id(node), part(judged.part))
+            : fmt::format("node {} of part {} is tied to part {}, and node {} of that one to part {}", id(back->second),
+                          part(judged.segment_part), part(judged.part), id(node), part(judged.segment_part));
+    return Failure{Failure::Kind::not_calculated,
+                   fmt::format("contact {} (*{}): {}; how nodes of both faces share a strength is not published. Use "
+                               "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK, which ties the nodes of side A alone",
+                               contact.id.value, contact.written, which),
+                   contact.place};
+  }
+  return {};
 }
 
 std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties, bool by_constraint) {

@@ -8,6 +8,7 @@
 #include "contact/initial.hpp"
 #include "solver/contact/segment_axes.hpp"
 #include "solver/interface/contact_source.hpp"
+#include "solver/state/failure.hpp"
 #include "solver/state/force.hpp"
 #include "solver/structure/structure.hpp"
 
@@ -102,6 +103,10 @@ struct TieRange {
 /// Of the contacts that tie by constraints, or by springs, and of other contacts with ties in the list.
 [[nodiscard]] std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties,
                                                bool by_constraint);
+
+/// The parts whose nodes tie to each other's segments in one tiebreak of a single surface, if its ties may fail: how
+/// the nodes of both faces share a strength is not published. Also of a part that ties to itself.
+[[nodiscard]] SolverStatus check_tied_faces(const model::Model& model, const contact::InitialState& initial);
 
 /// A tie of a calculated contact at a point. `constraint`: it is no spring. What the segment belongs to is still to be
 /// set.

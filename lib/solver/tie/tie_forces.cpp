@@ -131,7 +131,8 @@ void TieForces::let_slide(Interface& interface) {
   const model::Contact& contact = model_.contact(interface.range.contact);
   if (!ties_slide(contact)) return;
   const contact::ContactSurfaces& surfaces = store_.at(interface.range.contact);
-  sliding_.push_back(std::make_unique<contact::SlidingSurface>(surfaces.b.selection.segments));
+  const contact::ContactSide& reference = surfaces.two_sided() ? surfaces.b : surfaces.a;
+  sliding_.push_back(std::make_unique<contact::SlidingSurface>(reference.selection.segments));
   const contact::Friction friction(model_, contact);
   for (TieSpring& spring : interface.springs) {
     const bool plain = contact.tiebreak.param == 1;

@@ -60,7 +60,7 @@ std::string run_words(const ContactKind& kind) {
     case model::RunMethod::tie:
       return "tie";
     case model::RunMethod::tiebreak:
-      return kind.treatment == Treatment::single_surface ? "no" : "tie, then penalty";
+      return kind.code == ContactCode::general ? "no" : "tie, then penalty";
     case model::RunMethod::transducer:
       return "measures";
   }

@@ -118,6 +118,74 @@ TEST(LinearConstraints, Rotations) {
   EXPECT_NEAR(net.force[0].y(), 0, 1e-12);
 }
 
+/// A system turned by 30 degrees about z and tilted, as id 5, and the same axes as columns.
+const std::string tilted = "*DEFINE_COORDINATE_VECTOR\n5,3.,1.,0.5,-1.,2.,0.3\n";
+
+Matrix tilted_axes() {
+  const Vector x = Vector(3, 1, 0.5).normalized(), z = x.cross(Vector(-1, 2, 0.3)).normalized();
+  Matrix axes;
+  axes << x, z.cross(x), z;
+  return axes;
+}
+
+// 2 u₁ = u₂ along a slanted axis: along it the lever's acceleration, across it the masses' own.
+TEST(LinearConstraints, LeverAlongALocalAxis) {
+  constexpr double dt = 1e-3, force = 5;
+  for (int freedom = 1; freedom <= 3; ++freedom) {
+    Stepper stepper = good(masses(2) + tilted +
+                           fmt::format("*CONSTRAINED_LINEAR_LOCAL\n1\n1,{0},5,2.\n2,{0},5,-1.\n"
+                                       "*LOAD_NODE_POINT\n1,1,9,5.\n",
+                                       freedom) +
+                           constant)
+                          .stepper(fixed_step(dt));
+    run(stepper, 400);
+    const Vector axis = tilted_axes().col(freedom - 1), load = force * Vector::UnitX();
+    const double along = load.dot(axis) / (1 + 4 * 2);
+    const Vector first = (load - load.dot(axis) * axis + along * axis) * dt * 399.5;
+    EXPECT_NEAR((stepper.state().v[0] - first).norm(), 0, 1e-12) << freedom;
+    EXPECT_NEAR((stepper.state().v[1] - 2 * along * dt * 399.5 * axis).norm(), 0, 1e-12) << freedom;
+    const Energies& e = stepper.energies();
+    EXPECT_NEAR(e.total() - e.initial, e.external, 1e-12) << freedom;
+  }
+}
+
+// CID 0 and a system along the global axes are _GLOBAL, bit by bit; each node may have axes of its own.
+TEST(LinearConstraints, LocalAxesPerNode) {
+  const auto velocities = [](const std::string& equation) {
+    Stepper stepper = good(masses(2) + tilted + "*DEFINE_COORDINATE_VECTOR\n6,0.,1.,0.,-1.,0.,0.\n" +
+                           "*DEFINE_COORDINATE_VECTOR\n7,1.,0.,0.,0.,1.,0.\n" + equation +
+                           "*LOAD_NODE_POINT\n1,1,9,5.\n1,2,9,2.\n" + constant)
+                          .stepper(fixed_step(1e-3));
+    run(stepper, 100);
+    return std::array{stepper.state().v[0], stepper.state().v[1]};
+  };
+  const auto global = velocities("*CONSTRAINED_LINEAR_GLOBAL\n1\n1,1,2.\n2,2,-1.\n");
+  EXPECT_EQ(velocities("*CONSTRAINED_LINEAR_LOCAL\n1\n1,1,0,2.\n2,2,7,-1.\n"), global);
+  EXPECT_EQ(velocities("*CONSTRAINED_LINEAR_LOCAL\n1\n1,1,,2.\n2,1,6,-1.\n"), global);  // x of 6 is y
+  EXPECT_GT(global[1].y(), 0.01);
+  EXPECT_NE(velocities("*CONSTRAINED_LINEAR_LOCAL\n1\n1,1,5,2.\n2,2,5,-1.\n"), global);
+}
+
+// The rotation about a local axis alone is taken.
+TEST(LinearConstraints, LocalRotations) {
+  Conditioned ready = good(
+      "*NODE\n1,0.,0.,0.\n2,3.,0.,0.\n*ELEMENT_MASS\n1,1,5.\n2,2,2.\n"
+      "*NODE\n3,0.,0.,7.\n*ELEMENT_BEAM\n1,1,1,3\n*PART\np\n1,1,1\n*SECTION_BEAM\n1,2\n"
+      "0.02,3e-5,3e-5,7e-5\n*MAT_ELASTIC\n1,2.,1000.,0.25\n*BOUNDARY_SPC_NODE\n3,0,1,1,1,1,1,1\n" +
+      tilted + "*CONSTRAINED_LINEAR_LOCAL\n1\n1,5,5,1.\n");
+  State& state = ready.structure.state;
+  state.cycle = 1;
+  Forces net, external;
+  net.resize(3);
+  external.resize(3);
+  const Vector moment(7, -2, 4), axis = tilted_axes().col(1);
+  net.moment[0] = moment;
+  ready.forces.at(0)->add(state, external);
+  ready.forces.at(0)->react(state, 0.1, 0.1, net, external);
+  EXPECT_NEAR((net.moment[0] - (moment - moment.dot(axis) * axis)).norm(), 0, 1e-12);
+  EXPECT_NEAR(net.force[0].norm(), 0, 1e-12);
+}
+
 TEST(LinearConstraints, InitialVelocities) {
   Stepper stepper = good(masses(3) +
                          "*SET_NODE_LIST\n4\n1,2,3\n*CONSTRAINED_NODE_SET\n4,4\n*INITIAL_VELOCITY_NODE\n"
@@ -173,6 +241,21 @@ TEST(LinearConstraints, Refused) {
   refused(equation("1,1,1.\n2,1,1.\n", "*RIGIDWALL_PLANAR\n0\n0.,0.,-9.,0.,0.,1.\n"), Failure::Kind::not_calculated,
           "rigid walls");
   refused(equation("1,1,1.\n11,1,1.\n", rigid_box + rigid_material), Failure::Kind::not_calculated, "rigid body");
+  const auto local = [](const std::string& terms, const std::string& more = "") {
+    return masses(3) + more + tilted + "*CONSTRAINED_LINEAR_LOCAL\n1\n" + terms;
+  };
+  refused(local(""), Failure::Kind::contradiction, "*CONSTRAINED_LINEAR_LOCAL: constraint 1: it has no degrees");
+  refused(local("1,1,8,1.\n"), Failure::Kind::not_calculated, "local system 8");
+  refused(local("1,1,-5,1.\n"), Failure::Kind::not_calculated, "local system -5");
+  refused(local("1,1,4,1.\n", "*DEFINE_COORDINATE_NODES\n4,1,2,3\n"), Failure::Kind::not_calculated,
+          "do not span a plane");
+  refused(local("1,1,4,1.\n", "*NODE\n7,0.,1.,0.\n*DEFINE_COORDINATE_NODES\n4,1,2,7,1\n"),
+          Failure::Kind::not_calculated, "moves with its nodes");
+  refused(local("1,7,5,1.\n"), Failure::Kind::not_calculated, "DOF = 7");
+  refused(local("1,1,5,0.\n"), Failure::Kind::contradiction, "COEF");
+  refused(local("8,1,5,1.\n"), Failure::Kind::unknown_reference, "node 8");
+  refused(local("1,4,5,1.\n"), Failure::Kind::zero_mass, "rotational inertia");
+  refused(local("1,1,5,1.\n", "*BOUNDARY_SPC_NODE\n1,0,0,1\n"), Failure::Kind::not_calculated, "held or moved");
   refused(joined("6,1\n"), Failure::Kind::unknown_reference, "node set 6");
   refused(joined("5,1\n"), Failure::Kind::contradiction, "has 1 nodes");
   refused(joined("4,8\n"), Failure::Kind::not_calculated, "DOF = 8");

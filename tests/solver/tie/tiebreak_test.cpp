@@ -252,7 +252,10 @@ TEST(Tiebreak, WhatIsNotCalculatedIsRefused) {
   EXPECT_EQ(method(surfaces, "6,1.,1.,0.1").method, ContactMethod::tiebreak);
   EXPECT_EQ(method("TIEBREAK_SURFACE_TO_SURFACE", "1.,1.").method, ContactMethod::tiebreak);
   EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "1").method, ContactMethod::tiebreak);
-  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "2,1.,1.").method, ContactMethod::none);
+  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "2,1.,1.").method, ContactMethod::tiebreak);
+  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "3,1.,1.").method, ContactMethod::none);
+  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "-3,1.,1.").method, ContactMethod::none);
+  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "13,1.,1.").method, ContactMethod::none);
   EXPECT_EQ(method("AUTOMATIC_GENERAL_TIEBREAK", "1").method, ContactMethod::none);
   for (const char* card : {"0", "12", "5,0.,1.", "7,1.,1.", "9,1.,1.,0.,1.,1.", "9,1.,-7.,1.,1.,1.",
                            "9,1.,1.,1.,1.,1.,-1.", "6,1.,1.", "8,1.,1.", "13,1.,1."}) {
@@ -266,7 +269,6 @@ TEST(Tiebreak, WhatIsNotCalculatedIsRefused) {
     EXPECT_EQ(method(surfaces, fmt::format("2,1.,1.\n{}", soft)).method, ContactMethod::tiebreak);
   EXPECT_EQ(method(surfaces, "2,1.,1.\n2").method, ContactMethod::none);
   EXPECT_NE(method(surfaces, "2,1.,1.\n2").why_not.find("SOFT"), std::string_view::npos);
-  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "2,1.,1.").method, ContactMethod::none);
   EXPECT_EQ(method("TIED_SURFACE_TO_SURFACE_FAILURE", "").method, ContactMethod::tie);
 }
 

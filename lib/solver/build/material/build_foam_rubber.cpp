@@ -55,32 +55,19 @@ class FoamRubberBuilder {
   }
 
   void operator()(const model::TabulatedRubber& data) {
-    const Points* points = curve("LC/TBID", data.test.curve);
-    if (points == nullptr) return;
-    if (!(data.bulk > 0)) return fail(fmt::format("KM = {:g} is not above 0", data.bulk));
     const model::SpecimenTest& test = data.test;
-    if (!(test.length > 0 && test.width > 0 && test.thickness > 0))
-      return fail(
-          fmt::format("SGL = {:g}, SW = {:g} and ST = {:g} are not all above 0; set 1 for a curve of stress over "
-                      "strain",
-                      test.length, test.width, test.thickness));
-    if (points->front()[0] / test.length <= -1) return fail("its curve presses the specimen to nothing");
-    const double area = test.width * test.thickness;
-    Points stresses;
-    for (const auto& point : *points) stresses.push_back({point[0] / test.length, point[1] / area});
-    const auto nominal = [&](double strain) { return on_curve(stresses, strain); };
-    if (!(model::largest_slope(stresses) > 0)) return fail("its curve has no stiffness");
-    const bool foam = data.poisson > 0 && data.poisson < least_of_rubber;
-    const StretchFunction f = tabulated_stretch(nominal, foam ? data.poisson : 0.5);
     FiniteLaw law;
-    law.compressible = foam;
-    if (foam) {
-      law.elastic = std::make_shared<HillLaw>(f, data.poisson);
-      law.wave = std::max(data.bulk, law.elastic->shape(Vector::Zero(), false).slope(0, 0));
+    law.compressible = is_foam(data);
+    const auto table = model_.tables.find(test.curve);
+    if (table != model_.tables.end() && model_.curves.count(test.curve) == 0) {
+      law.rates = rate_laws(table->second, data);
+      if (law.rates) law.elastic = law.rates->laws.front();
     } else {
-      law.elastic = std::make_shared<OgdenLaw>(f, data.bulk);
-      law.wave = data.bulk;
+      law.elastic = tabulated_law("LC/TBID", test.curve, data);
     }
+    if (!law.elastic) return;
+    law.wave = data.bulk;
+    if (law.compressible) law.wave = std::max(law.wave, law.elastic->shape(Vector::Zero(), false).slope(0, 0));
     set_hysteresis(data.unloading, data.shape, 0, law);
     set_damping(data.damping, 0.1);
     finish(std::move(law));
@@ -133,6 +120,67 @@ class FoamRubberBuilder {
 
  private:
   static constexpr double least_of_rubber = 0.49;
+
+  static bool is_foam(const model::TabulatedRubber& data) { return data.poisson > 0 && data.poisson < least_of_rubber; }
+
+  /// The law of one test of 181; nothing after fail().
+  std::shared_ptr<const PrincipalLaw> tabulated_law(std::string_view field, std::int64_t id,
+                                                    const model::TabulatedRubber& data) {
+    const auto refuse = [&](std::string_view why) {
+      fail(why);
+      return nullptr;
+    };
+    const Points* points = curve(field, id);
+    if (points == nullptr) return nullptr;
+    if (!(data.bulk > 0)) return refuse(fmt::format("KM = {:g} is not above 0", data.bulk));
+    const model::SpecimenTest& test = data.test;
+    if (!(test.length > 0 && test.width > 0 && test.thickness > 0))
+      return refuse(
+          fmt::format("SGL = {:g}, SW = {:g} and ST = {:g} are not all above 0; set 1 for a curve of stress over "
+                      "strain",
+                      test.length, test.width, test.thickness));
+    if (points->front()[0] / test.length <= -1) return refuse("its curve presses the specimen to nothing");
+    const double area = test.width * test.thickness;
+    Points stresses;
+    for (const auto& point : *points) stresses.push_back({point[0] / test.length, point[1] / area});
+    const auto nominal = [&](double strain) { return on_curve(stresses, strain); };
+    if (!(model::largest_slope(stresses) > 0)) return refuse("its curve has no stiffness");
+    const StretchFunction f = tabulated_stretch(nominal, is_foam(data) ? data.poisson : 0.5);
+    if (is_foam(data)) return std::make_shared<HillLaw>(f, data.poisson);
+    return std::make_shared<OgdenLaw>(f, data.bulk);
+  }
+
+  /// The laws of a table of 181 over the strain rate; nothing after fail().
+  std::shared_ptr<const RateLaws> rate_laws(const model::Table& table, const model::TabulatedRubber& data) {
+    const auto refuse = [&](std::string_view why) {
+      fail(why);
+      return nullptr;
+    };
+    constexpr std::size_t most_rates = 100;
+    const std::int64_t id = data.test.curve;
+    if (table.rows.empty() || table.rows.size() > most_rates)
+      return refuse(fmt::format("table {} has {} strain rates; give 1 to {}", id, table.rows.size(), most_rates));
+    if (data.unloading > 0 && data.unloading < 1 && data.tension == 1)
+      return refuse(fmt::format("HU = {:g} unloads by hysteresis, TENSION = 1 by the curves of table {}; keep one",
+                                data.unloading, id));
+    RateLaws result;
+    result.effects = data.tension == 0   ? RateEffects::compressive_loading
+                     : data.tension == 1 ? RateEffects::always
+                                         : RateEffects::loading;
+    result.engineering = data.rate_type == 1;
+    result.window = -data.averaging;
+    for (const model::Table::Row& row : table.rows) {
+      if (!(row.value >= 0 && std::isfinite(row.value)) ||
+          (!result.rates.empty() && !(row.value > result.rates.back())))
+        return refuse(
+            fmt::format("the strain rate {:g} of table {} is below 0 or not above the one before it", row.value, id));
+      auto law = tabulated_law(fmt::format("the curve of {:g} in table {}", row.value, id), row.curve, data);
+      if (!law) return nullptr;
+      result.rates.push_back(row.value);
+      result.laws.push_back(std::move(law));
+    }
+    return std::make_shared<const RateLaws>(std::move(result));
+  }
 
   void fail(std::string_view why) {
     status = Failure{Failure::Kind::bad_material,
@@ -208,7 +256,7 @@ class FoamRubberBuilder {
 }  // namespace
 
 SolverStatus set_foam_rubber(const model::Model& model, const model::Material& material, Material& result) {
-  if (const std::string why = foam_rubber_not_calculated(material); !why.empty())
+  if (const std::string why = foam_rubber_not_calculated(model, material); !why.empty())
     return Failure{Failure::Kind::not_calculated,
                    fmt::format("material {} (*{}): {}", material.id, material.keyword, why), material.place};
   FoamRubberBuilder builder(model, material, result);
@@ -216,7 +264,7 @@ SolverStatus set_foam_rubber(const model::Model& model, const model::Material& m
   return builder.status;
 }
 
-std::string foam_rubber_not_calculated(const model::Material& material) {
+std::string foam_rubber_not_calculated(const model::Model& model, const model::Material& material) {
   const auto given = [](std::string_view field, double value) {
     return fmt::format("{} = {:g} is not calculated; set 0", field, value);
   };
@@ -231,6 +279,13 @@ std::string foam_rubber_not_calculated(const model::Material& material) {
   if (const auto* rubber = std::get_if<model::TabulatedRubber>(&material.foam_rubber)) {
     if (!rubber->unread.empty()) return rubber->unread + " is not calculated";
     if (rubber->unloading_curve != 0) return "LCUNLD is not calculated; give HU instead";
+    if (rubber->test.curve != 0 && model.tables.count(rubber->test.curve) > 0) {
+      if (std::abs(rubber->tension) != 1 && rubber->tension != 0) return given("TENSION", rubber->tension);
+      if (rubber->rate_type != 0 && rubber->rate_type != 1) return given("RTYPE", rubber->rate_type);
+      if (!(rubber->averaging <= 0) || std::isinf(rubber->averaging))
+        return fmt::format("AVGOPT = {:g} is not calculated; set 0, or minus the time to average over",
+                           rubber->averaging);
+    }
     if (rubber->poisson < 0 || rubber->poisson >= 0.5)
       return fmt::format("PR = {:g}: the viscosity BETA is not calculated", rubber->poisson);
   }

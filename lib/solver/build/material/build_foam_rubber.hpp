@@ -18,6 +18,6 @@ namespace gapcheck::solver {
 }
 
 /// Which field of such a material is not calculated; empty: none.
-[[nodiscard]] std::string foam_rubber_not_calculated(const model::Material& material);
+[[nodiscard]] std::string foam_rubber_not_calculated(const model::Model& model, const model::Material& material);
 
 }  // namespace gapcheck::solver

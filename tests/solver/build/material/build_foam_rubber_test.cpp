@@ -96,6 +96,69 @@ TEST(TabulatedRubber, FoamFollowsItsCurve) {
     }
 }
 
+/// 181 with rubber_curve at the rate 0.1 and twice that at 1.1; `fields`: TENSION, RTYPE, AVGOPT, PR and further cards.
+std::string rubber_of_rates(const std::string& bulk, const std::string& fields) {
+  return "*MAT_181\n1,1.," + bulk + ",1e-9\n1.,1.,1.,2," + fields + "\n" + rubber_curve +
+         "*DEFINE_CURVE\n9\n-0.5,-6.\n0.,0.\n1.,3.\n*DEFINE_TABLE_2D\n2\n0.1,8\n1.1,9\n"
+         "*CONTROL_BULK_VISCOSITY\n1e-9,1e-9\n";
+}
+
+// A bar pulled or pressed by the engineering rate v, at the end also by the true rate v/λ: the stress lies between the
+// curves as the rate does, where TENSION says that it counts.
+TEST(TabulatedRubber, RatesOfATable) {
+  constexpr double step = 1e-4;
+  for (const double to : {0.6, 1.5})
+    for (const int tension : {-1, 0, 1})
+      for (const int type : {0, 1})
+        for (const double poisson : {0.2, 0.5}) {
+          const double v = to - 1, lateral = std::pow(to, -poisson) - 1;
+          const std::string rubber = rubber_of_rates(
+              poisson < 0.5 ? "5." : "50.", fmt::format("{},{},0.,{}", tension, type, poisson < 0.5 ? poisson : 0.));
+          const End end = end_of(stretched_cube(rubber, {v, lateral, lateral, 0}, 1), step);
+          const double rate = std::abs(type == 0 ? v / to : v), slow = to < 1 ? 6 * v : 1.5 * v;
+          const double nominal = to > 1 && tension == 0 ? slow : slow * (1 + (rate - 0.1));
+          const double area = (1 + lateral) * (1 + lateral);
+          EXPECT_NEAR((end.stress[xx] - end.stress[yy]) * area, nominal, 2e-3 * std::abs(nominal))
+              << to << ' ' << tension << ' ' << type << ' ' << poisson;
+        }
+}
+
+// AVGOPT below 0 averages the true rate over that time: ln(λ(t)/λ(t − T))/T.
+TEST(TabulatedRubber, RatesOverAWindow) {
+  const double lateral = std::pow(0.6, -0.2) - 1;
+  const auto nominal = [&](double window) {
+    const Symmetric stress = end_of(stretched_cube(rubber_of_rates("5.", fmt::format("0.,0.,{},0.2", -window)),
+                                                   {-0.4, lateral, lateral, 0}, 1),
+                                    1e-3)
+                                 .stress;
+    return (stress[xx] - stress[yy]) * (1 + lateral) * (1 + lateral);
+  };
+  const auto expected = [&](double window) {
+    return 6 * -0.4 * (1 + std::log((0.6 + 0.4 * window) / 0.6) / window - 0.1);
+  };
+  EXPECT_GT(std::abs(expected(0.5) - expected(0.1)), 0.1);
+  EXPECT_NEAR(nominal(0.1), expected(0.1), 0.01);
+  EXPECT_NEAR(nominal(0.5), expected(0.5), 0.01);
+  EXPECT_LT(std::abs(nominal(0.5)), std::abs(nominal(0.1)));
+}
+
+// A table of one curve, and rates below the first one, are the curve: bit by bit.
+TEST(TabulatedRubber, SlowTableIsItsCurve) {
+  const Stretch press{-0.01, 0.002, 0.003, 0.01};
+  const auto stress = [&](int elform, const std::string& id, const std::string& table) {
+    return end_of(stretched_cube("*MAT_181\n1,1.,5.,0.1\n1.,1.,1.," + id + ",1.,0.,0.,0.2\n" + rubber_curve +
+                                     "*DEFINE_CURVE\n9\n-0.5,-6.\n0.,0.\n1.,3.\n" + table,
+                                 press, 1, elform))
+        .stress;
+  };
+  for (const int elform : {1, 2}) {
+    const Symmetric curve = stress(elform, "8", "");
+    EXPECT_EQ(stress(elform, "2", "*DEFINE_TABLE_2D\n2\n0.1,8\n1.1,9\n"), curve);
+    EXPECT_EQ(stress(elform, "2", "*DEFINE_TABLE_2D\n2\n0.,8\n"), curve);
+    EXPECT_NE(stress(elform, "2", "*DEFINE_TABLE_2D\n2\n0.001,8\n1.1,9\n"), curve);
+  }
+}
+
 // Force over elongation of a specimen of 10 x 2 x 3 is the same as stress over strain.
 TEST(TabulatedRubber, SpecimenAndHysteresis) {
   const Stretch press{-0.2, 0.1, 0.1, 0};
@@ -228,6 +291,8 @@ TEST(FoamRubber, VibratingBlocksKeepTheirEnergy) {
       {"*MAT_057\n1,1.,3.,7,0.,0.1,0.,0.1\n5.\n" + foam_curve, 1, false},
       {"*MAT_181\n1,1.,50.,1e-9\n1.,1.,1.,8\n" + rubber_curve, 1, true},
       {"*MAT_181\n1,1.,5.,1e-9\n1.,1.,1.,8,0.,0.,0.,0.2\n" + rubber_curve, 2, true},
+      {rubber_of_rates("50.", "-1.,0.,0.,0."), 1, false},
+      {rubber_of_rates("5.", "0.,1.,0.,0.2"), 2, false},
       {"*MAT_077_O\n1,1.,0.49,0\n1.1,-0.28\n2.,-2.\n", 1, true},
       {"*MAT_077_H\n1,1.,0.49,0\n0.55,0.14,0.,0.01\n", 2, true},
       {"*MAT_007\n1,1.,1.5\n", 1, true},
@@ -292,7 +357,21 @@ TEST(FoamRubber, HostileCards) {
       {"181\n1,1.,50.\n1.,1.,1.,8\n", ""},
       {"181\n1,1.,0.\n1.,1.,1.,8\n", "KM = 0"},
       {"181\n1,1.,50.\n0.,1.,1.,8\n", "SGL = 0"},
-      {"181\n1,1.,50.\n1.,1.,1.,2\n", "is a table"},
+      {"181\n1,1.,50.\n1.,1.,1.,2\n", ""},
+      {"181\n1,1.,50.\n1.,1.,1.,2,2.\n", "TENSION = 2 is not calculated"},
+      {"181\n1,1.,50.\n1.,1.,1.,2,0.,0.5\n", "RTYPE = 0.5 is not calculated"},
+      {"181\n1,1.,50.\n1.,1.,1.,2,0.,0.,1.\n", "AVGOPT = 1 is not calculated"},
+      {"181\n1,1.,50.\n1.,1.,1.,8,2.,5.,1.\n", ""},
+      {"181\n1,1.,50.\n1.,1.,1.,2,1.\n0,0.5\n", "HU = 0.5 unloads by hysteresis, TENSION = 1 by the curves"},
+      {"181\n1,1.,50.\n1.,1.,1.,2,-1.\n0,0.5\n", ""},
+      {"181\n1,1.,0.\n1.,1.,1.,2\n", "KM = 0"},
+      {"181\n1,1.,50.\n0.4,1.,1.,10\n", "to nothing"},
+      {"181\n1,1.,50.\n1.,1.,1.,11\n", "the strain rate 0 of table 11 is below 0 or not above"},
+      {"181\n1,1.,50.\n1.,1.,1.,12\n", "the strain rate -4 of table 12 is below 0"},
+      {"181\n1,1.,50.\n1.,1.,1.,13\n", "the curve of 1 in table 13 = 4444 is no curve that is there"},
+      {"181\n1,1.,50.\n1.,1.,1.,14\n", "curve 4 has a stress at zero strain"},
+      {"181\n1,1.,50.\n1.,1.,1.,15\n", "table 15 has 101 strain rates; give 1 to 100"},
+      {"057\n1,1.,3.,2\n", "is a table"},
       {"181\n1,1.,50.\n0.4,1.,1.,8\n", "to nothing"},
       {"181\n1,1.,50.\n1.,1.,1.,8,0.,0.,0.,-0.1\n", "viscosity BETA"},
       {"181\n1,1.,50.,0.,5.\n1.,1.,1.,8\n", "G = 5 is not calculated"},
@@ -309,9 +388,15 @@ TEST(FoamRubber, HostileCards) {
       {"027\n1,1.,0.49,0.,0.\n1.,1.,1.,3\n", "out of range"},
       {"027\n1,1.,0.49,0.,0.\n0.,1.,1.,8\n", "out of range"},
   };
+  std::string many_rates;
+  for (int rate = 0; rate <= 100; ++rate) many_rates += fmt::format("{}.,8\n", rate);
   const std::string curves = foam_curve + rubber_curve +
                              "*DEFINE_CURVE\n6\n0.,0.\n0.5,1.\n0.5,2.\n*DEFINE_CURVE\n4\n0.,1.\n1.,2.\n"
-                             "*DEFINE_CURVE\n3\n-1.,-1.\n0.,0.\n*DEFINE_TABLE_2D\n2\n0.,7\n1.,7\n";
+                             "*DEFINE_CURVE\n3\n-1.,-1.\n0.,0.\n*DEFINE_TABLE_2D\n2\n0.,7\n1.,7\n"
+                             "*DEFINE_TABLE_2D\n10\n0.,7\n1.,8\n*DEFINE_TABLE_2D\n11\n0.,8\n0.,8\n"
+                             "*DEFINE_TABLE_2D\n12\n-4.,8\n0.,8\n*DEFINE_TABLE_2D\n13\n0.,8\n1.,4444\n"
+                             "*DEFINE_TABLE_2D\n14\n0.,8\n1.,4\n*DEFINE_TABLE_2D\n15\n" +
+                             many_rates;
   for (const auto& [cards, says] : cases) {
     RunScene scene(stretched_cube(std::string("*MAT_") + cards + curves, {0.01, 0, 0, 0}, 0.01));
     const std::string said = scene.message() + scene.read().text();
