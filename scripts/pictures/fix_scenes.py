@@ -3,9 +3,11 @@
 
 import math
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = {  # seen from here
@@ -16,6 +18,7 @@ SCENES = {  # seen from here
     "block_in_sheet": (1.0, -1.7, -0.45),
 }
 COLOURS = ((120, 160, 210), (235, 175, 90), (140, 190, 130))
+FINE = 3  # samples of each pixel, each way
 BRICK_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 
 
@@ -60,53 +63,81 @@ def project(points, view):
     return {n: (dot(p, right), dot(p, up), dot(p, toward)) for n, p in points.items()}, toward
 
 
-def split(points, face, parts=4):
-    """Smaller quads, so that those of crossing faces are drawn one behind the other."""
-    a, b, c, d = (points[n] for n in face)
-    grid = [[tuple((1 - s) * (1 - t) * a[k] + s * (1 - t) * b[k] + s * t * c[k] + (1 - s) * t * d[k] for k in range(3))
-             for s in (i / parts for i in range(parts + 1))] for t in (j / parts for j in range(parts + 1))]
-    for j in range(parts):
-        for i in range(parts):
-            yield (grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i])
+class Image:
+    """Pixels with depth; the nearest thing drawn counts. Three samples each way per pixel of the file."""
+
+    def __init__(self, width, height):
+        self.width, self.height = width * FINE, height * FINE
+        self.pixels = [(255, 255, 255)] * (self.width * self.height)
+        self.depth = [-1e300] * (self.width * self.height)
+
+    def put(self, x, y, z, colour):
+        if 0 <= x < self.width and 0 <= y < self.height and z > self.depth[y * self.width + x]:
+            self.depth[y * self.width + x] = z
+            self.pixels[y * self.width + x] = colour
+
+    def triangle(self, p, q, r, colour):
+        area = (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1])
+        if area == 0:
+            return
+        for y in range(max(0, int(min(p[1], q[1], r[1]))), min(self.height, int(max(p[1], q[1], r[1])) + 2)):
+            for x in range(max(0, int(min(p[0], q[0], r[0]))), min(self.width, int(max(p[0], q[0], r[0])) + 2)):
+                u = ((q[0] - x) * (r[1] - y) - (r[0] - x) * (q[1] - y)) / area
+                v = ((r[0] - x) * (p[1] - y) - (p[0] - x) * (r[1] - y)) / area
+                if u >= 0 and v >= 0 and u + v <= 1:
+                    self.put(x, y, u * p[2] + v * q[2] + (1 - u - v) * r[2], colour)
+
+    def line(self, p, q, above):
+        steps = int(max(abs(q[0] - p[0]), abs(q[1] - p[1]))) + 1
+        for i in range(steps + 1):
+            x, y, z = (p[k] + (q[k] - p[k]) * i / steps for k in range(3))
+            for dx in (0, 1):
+                self.put(int(x) + dx, int(y), z + above, (60, 60, 60))
+
+    def write(self, path):
+        rows = bytearray()
+        for y in range(0, self.height, FINE):
+            rows.append(0)
+            for x in range(0, self.width, FINE):
+                block = [self.pixels[(y + j) * self.width + x + i] for j in range(FINE) for i in range(FINE)]
+                rows += bytes(sum(c[k] for c in block) // len(block) for k in range(3))
+
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        head = struct.pack(">IIBBBBB", self.width // FINE, self.height // FINE, 8, 2, 0, 0, 0)
+        path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(bytes(rows), 9))
+                         + chunk(b"IEND", b""))
 
 
-def draw(points, faces, view, left, place):
+def draw(image, points, faces, view, place):
     flat, toward = project(points, view)
-    pieces = []
+    at = {n: place(p) for n, p in flat.items()}
     for nodes, part in faces:
         corners = [points[n] for n in nodes]
         a = tuple(q - p for p, q in zip(corners[0], corners[2]))
         b = tuple(q - p for p, q in zip(corners[1], corners[3]))
         shade = 0.55 + 0.45 * abs(dot(unit(cross(a, b)), toward))
-        colour = "#" + "".join(f"{int(shade * c):02x}" for c in COLOURS[(part - 1) % len(COLOURS)])
-        for quad in split(flat, nodes):
-            pieces.append((sum(p[2] for p in quad), quad, colour))
+        colour = tuple(int(shade * c) for c in COLOURS[(part - 1) % len(COLOURS)])
+        n = [at[i] for i in nodes]
+        image.triangle(n[0], n[1], n[2], colour)
+        image.triangle(n[0], n[2], n[3], colour)
+    for nodes, _ in faces:
         for k in range(4):
-            p, q = flat[nodes[k]], flat[nodes[(k + 1) % 4]]
-            steps = [tuple(p[i] + (q[i] - p[i]) * s / 4 for i in range(3)) for s in range(5)]
-            pieces += [(2 * (u[2] + v[2]) + 0.5, (u, v), None) for u, v in zip(steps, steps[1:])]
-    out = []
-    for _, shape, colour in sorted(pieces, key=lambda piece: piece[0]):
-        xy = [place(p, left) for p in shape]
-        if colour is None:
-            out.append(f'<path d="M{xy[0]}L{xy[1]}" stroke="#333" stroke-width="0.5"/>')
-        else:
-            out.append(f'<path d="M{"L".join(xy)}z" fill="{colour}" stroke="{colour}" stroke-width="0.4"/>')
-    return out
+            image.line(at[nodes[k]], at[nodes[(k + 1) % 4]], 0.15)
 
 
-def picture(before, after, view, size=430):
+def picture(before, after, view, path, size=430):
     flat, _ = project({**before[0], **{-n: p for n, p in after[0].items()}}, view)
     low = [min(p[i] for p in flat.values()) for i in (0, 1)]
     high = [max(p[i] for p in flat.values()) for i in (0, 1)]
     scale = (size - 20) / max(high[0] - low[0], 0.7 * (high[1] - low[1]))
     height = int((high[1] - low[1]) * scale) + 20
-
-    def place(p, left):
-        return f"{left + 10 + (p[0] - low[0]) * scale:.1f} {height - 10 - (p[1] - low[1]) * scale:.1f}"
-    body = draw(*before, view, 0, place) + draw(*after, view, size, place)
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {2 * size} {height}">\n'
-            f'<rect width="{2 * size}" height="{height}" fill="white"/>\n' + "\n".join(body) + "\n</svg>\n")
+    image = Image(2 * size, height)
+    for left, (points, faces) in ((0, before), (size, after)):
+        def place(p, left=left):
+            return (FINE * (left + 10 + (p[0] - low[0]) * scale), FINE * (height - 10 - (p[1] - low[1]) * scale), p[2])
+        draw(image, points, faces, view, place)
+    image.write(path)
 
 
 def main():
@@ -117,7 +148,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.argv[1], "fix", deck, "-o", folder], capture_output=True, check=True)
             fixed = next(pathlib.Path(folder).rglob(f"{name}.k"))
-            (ROOT / "docs" / "pictures" / f"fix_{name}.svg").write_text(picture(read(deck), read(fixed), view))
+            picture(read(deck), read(fixed), view, ROOT / "docs" / "pictures" / f"fix_{name}.png")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #include "audit/fix/mover.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -104,6 +105,7 @@ void Mover::start_on_ties() {
 void Mover::start_again() {
   if (crossings_ == Crossings::untangle) conditions_.gaps().clear();
   best_ = {start_.deck, start_.deck, before_};
+  best_.movement = std::numeric_limits<double>::infinity();  // ties move first, with nothing gained
   for (Gap& gap : conditions_.gaps().list()) {
     gap.multiplier = 0;
     gap.given_up = HoldReason::none;

@@ -13,7 +13,7 @@ std::vector<ContactCrossing> contact_crossings(const model::Model& model, contac
   std::vector<ContactIndex> contacts;
   const std::vector<ContactIndex> first = contact::repeated_contacts(model);
   for (const ContactIndex c : positions<ContactIndex>(model.contacts.size()))
-    if (first[c.value] == none<ContactIndex> && contact::classify(model.contact(c)).checked()) contacts.push_back(c);
+    if (first[c.value] == none<ContactIndex>) contacts.push_back(c);
   contact::CrossingCounters counters;
   contact::CrossingOptions options;
   options.x = &x;

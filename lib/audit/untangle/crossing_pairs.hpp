@@ -20,13 +20,13 @@ struct ContactCrossing {
   ElementPair elements;  ///< in order
 };
 
-/// Elements that pass through each other in contacts that judge nodes, by contact and elements; segments whose element
-/// is not known are left out. `surfaces`: of this model, on the coordinates that count.
+/// Elements that pass through each other in contacts that keep surfaces apart, by contact and elements; segments whose
+/// element is not known are left out. `surfaces`: of this model, on the coordinates that count.
 [[nodiscard]] std::vector<ContactCrossing> contact_crossings(const model::Model& model, contact::SurfaceStore& surfaces,
                                                              const std::vector<Vector>& x);
 
-/// Pairs of elements that pass through each other in contacts that judge nodes, on the model's present coordinates.
-/// Segments whose element is not known are left out.
+/// Pairs of elements that pass through each other in contacts that keep surfaces apart, on the model's present
+/// coordinates. Segments whose element is not known are left out.
 [[nodiscard]] std::set<ElementPair> crossing_pairs(const model::Model& model);
 
 /// The nodes of a shell, solid, thick shell or beam; none of any other kind.

@@ -86,8 +86,8 @@ TEST(FixRandomCrossing, IsPartedOrNamed) {
   RecordProperty("before", std::to_string(penetrating_before));
   RecordProperty("left", std::to_string(left));
   EXPECT_GT(crossing, scenes * 9 / 10);
-  EXPECT_GT(parted, crossing * 8 / 10);
-  EXPECT_LT(20 * left, penetrating_before);
+  EXPECT_GT(parted, crossing * 85 / 100);
+  EXPECT_LT(10 * left, penetrating_before);
 }
 
 }  // namespace

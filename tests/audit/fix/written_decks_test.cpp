@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t seeds = 3;
+constexpr std::uint64_t seeds = 5;
 
 /// How the nodes stand in a file.
 struct Form {
