@@ -29,8 +29,9 @@ REAL = [
 ]
 EXAMPLE = ["data/two_plates.k", "-o", "fixed", "--dry-run", "--top", "3"]
 PLAN = ["data/include_parameter.k", "--plan"]
-REASONS = {"constrained": "boundary conditions, welds or other joints hold the nodes", "none": "no way out was found",
-           "conflict": "what frees it from one segment pushes it into another", "shape": "an element would lose its shape"}
+REASONS = {"constrained": "boundary conditions, welds or other joints hold the nodes", "crossing": "elements would cross",
+           "none": "no way out was found", "conflict": "what frees it from one segment pushes it into another",
+           "shape": "an element would lose its shape"}
 # The shoes come without the body whose contacts they take part in: here in a contact of their own.
 SHOES = ["50F-standing/vivaplus-82-Shoes-50F_standing_nodes.k", "common/vivaplus-80-Shoes.k"]
 
