@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Draws scenes of data/fix before and after the correction into docs/pictures: fix_scenes.py GAPCHECK"""
+"""Draws scenes of data/fix before and after the correction into docs/pictures: fix_scenes.py GAPCHECK [--small]
+
+--small draws the first one only, without smooth edges.
+"""
 
 import math
 import pathlib
@@ -141,9 +144,13 @@ def picture(before, after, view, path, size=430):
 
 
 def main():
-    if len(sys.argv) != 2:
+    global FINE
+    small = sys.argv[2:] == ["--small"]
+    if len(sys.argv) != 2 and not small:
         raise SystemExit(__doc__)
-    for name, view in SCENES.items():
+    if small:
+        FINE = 1
+    for name, view in list(SCENES.items())[:1 if small else None]:
         deck = ROOT / "data" / "fix" / f"{name}.k"
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.argv[1], "fix", deck, "-o", folder], capture_output=True, check=True)

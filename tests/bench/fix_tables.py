@@ -28,6 +28,7 @@ REAL = [
     ("ball_plate", "ball_plate/ball_plate.k", []),
 ]
 EXAMPLE = ["data/two_plates.k", "-o", "fixed", "--dry-run", "--top", "3"]
+VERIFY = ["data/snlog_1.k", "--dry-run", "--verify", "--top", "0"]
 PLAN = ["data/include_parameter.k", "--plan"]
 REASONS = {"constrained": "boundary conditions, welds or other joints hold the nodes", "crossing": "elements would cross",
            "none": "no way out was found", "conflict": "what frees it from one segment pushes it into another",
@@ -177,6 +178,7 @@ def main():
     gapcheck = str(pathlib.Path(sys.argv[1]).resolve())
     text = PAGE.read_text()
     text = page.section("example", text, example(gapcheck, EXAMPLE))
+    text = page.section("verify", text, example(gapcheck, VERIFY))
     text = page.section("plan", text, example(gapcheck, PLAN))
     text = page.section("speed", text, speed(gapcheck))
     rows = []

@@ -26,6 +26,7 @@ RUNS = [
     ("scripts/fuzz.py", "{build} search --seconds 1", "docs/reliability.md"),
     ("scripts/impact_energy.py", "{test_solver} --small", "docs/theory/impact-energy.md"),
     ("scripts/long_runs.py", "{gapcheck} --small", "docs/theory/long-runs.md"),
+    ("scripts/pictures/fix_scenes.py", "{gapcheck} --small", "docs/pictures/fix_crossed_30.png"),
     ("scripts/pictures/terminal.py", "{gapcheck}", "docs/pictures/terminal.svg"),
     ("scripts/plot_workshop.py", "{gapcheck} --small", "docs/workshop/rebound_thickness.svg"),
     ("scripts/reliability.py", "{gapcheck} --small", "docs/reliability.md"),
@@ -66,7 +67,8 @@ LOADED_ONLY = {
     "tests/bench/work_precision/work_precision.py": "builds a program of its own",
 }
 # These write no page of docs/.
-OTHERS = {"scripts/fuzz_programs.py", "scripts/make_workshop.py", "scripts/mutate.py", "scripts/pictures/paraview_grid.py"}
+OTHERS = {"scripts/fuzz_programs.py", "scripts/make_fix_scenes.py", "scripts/make_workshop.py", "scripts/mutate.py",
+          "scripts/pictures/paraview_grid.py"}
 LOAD = "import runpy, sys; sys.path.insert(0, sys.argv[2]); runpy.run_path(sys.argv[1], run_name='loaded')"
 
 
