@@ -1,14 +1,11 @@
 #!/usr/bin/env python3
-"""Draws scenes of data/fix before and after the correction into docs/pictures: fix_scenes.py GAPCHECK [--small]
+"""Draws scenes of data/fix before and after the correction into docs/pictures."""
 
---small draws the first one only, without smooth edges.
-"""
-
+import argparse
 import math
 import pathlib
 import struct
 import subprocess
-import sys
 import tempfile
 import zlib
 
@@ -145,15 +142,16 @@ def picture(before, after, view, path, size=430):
 
 def main():
     global FINE
-    small = sys.argv[2:] == ["--small"]
-    if len(sys.argv) != 2 and not small:
-        raise SystemExit(__doc__)
-    if small:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("gapcheck", help="the program")
+    parser.add_argument("--small", action="store_true", help="only the first scene, without smooth edges")
+    arguments = parser.parse_args()
+    if arguments.small:
         FINE = 1
-    for name, view in list(SCENES.items())[:1 if small else None]:
+    for name, view in list(SCENES.items())[:1 if arguments.small else None]:
         deck = ROOT / "data" / "fix" / f"{name}.k"
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.argv[1], "fix", deck, "-o", folder], capture_output=True, check=True)
+            subprocess.run([arguments.gapcheck, "fix", deck, "-o", folder], capture_output=True, check=True)
             fixed = next(pathlib.Path(folder).rglob(f"{name}.k"))
             picture(read(deck), read(fixed), view, ROOT / "docs" / "pictures" / f"fix_{name}.png")
 
