@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "audit/untangle/crossing_pairs.hpp"
 #include "audit/repair/repair_cards.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 
 namespace gapcheck::audit {
 namespace {

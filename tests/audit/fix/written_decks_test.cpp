@@ -19,7 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t seeds = 5;
+/// Of random scenes; in the fourth, bodies are so deep in each other that nothing moves, which takes seconds to find
+/// out.
+constexpr std::array<std::uint64_t, 5> seeds{1, 2, 3, 5, 6};
 
 /// How the nodes stand in a file.
 struct Form {
@@ -160,7 +162,7 @@ class WrittenDecks : public testing::TestWithParam<std::size_t> {
 TEST_P(WrittenDecks, ReadBackAsPredicted) {
   const Form& form = forms()[GetParam()];
   std::uint64_t moved = 0, before = 0, after = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+  for (const std::uint64_t seed : seeds) {
     const std::string where = fmt::format("{}, seed {}", form.name, seed);
     const fs::path main = write_scene(random_scene(seed), form);
     Diagnostics diagnostics;
