@@ -19,8 +19,7 @@ bool runs_along(const model::SegmentNodes& n, NodeIndex a, NodeIndex b) {
 }  // namespace
 
 bool FaceRegion::grow(std::span<const FaceSide> from, const contact::Bounds& box, std::uint64_t& work) {
-  for (const FaceSide& face : from)
-    if (side_.emplace(face.segment.value, face.side).second) faces_.push_back(face);
+  for (const FaceSide& face : from) add(face);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     const FaceSide face = faces_[i];
     if (work == 0) return false;
@@ -41,27 +40,35 @@ void FaceRegion::pass(const FaceSide& face, NodeIndex a, NodeIndex b, const cont
     ++count;
     if (s != face.segment) next = s;
   }
-  if (count != 2 || side_.contains(next.value) || !meets(next, box)) return;
-  const FaceSide one{next, runs_along(segments.nodes[next.value], b, a) ? face.side : -face.side};
-  side_.emplace(next.value, one.side);
-  faces_.push_back(one);
+  if (count != 2 || side_.contains(next.value) || !bounds(next).meets(box)) return;
+  add({next, runs_along(segments.nodes[next.value], b, a) ? face.side : -face.side});
 }
 
-bool FaceRegion::meets(SegmentIndex segment, const contact::Bounds& box) const {
+void FaceRegion::add(const FaceSide& face) {
+  if (!side_.emplace(face.segment.value, face.side).second) return;
+  faces_.push_back(face);
+  boxes_.push_back(bounds(face.segment));
+}
+
+contact::Bounds FaceRegion::bounds(SegmentIndex segment) const {
   contact::Bounds bounds;
   for (const NodeIndex n : surface_.segments().nodes[segment.value]) bounds.add(surface_.x()[n.value]);
-  return bounds.meets(box);
+  return bounds;
 }
 
 NearestFace FaceRegion::nearest(NodeIndex node) const {
   const std::vector<Vector>& x = surface_.x();
   double least = std::numeric_limits<double>::infinity();
   NearestFace found{{}, least, false, false};
-  for (const FaceSide& face : faces_) {
+  const Vector& q = x[node.value];
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const Vector beside = (boxes_[i].low - q).cwiseMax(q - boxes_[i].high).cwiseMax(0.0);
+    if (beside.squaredNorm() > least) continue;
+    const FaceSide& face = faces_[i];
     const auto& n = surface_.segments().nodes[face.segment.value];
     if (std::find(n.begin(), n.end(), node) != n.end()) continue;
     const geometry::Facet facet{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
-    const auto c = geometry::closest_point(facet, x[node.value]);
+    const auto c = geometry::closest_point(facet, q);
     if (!(c.squared_distance < least)) continue;
     least = c.squared_distance;
     found = {face, std::sqrt(least), c.in_band, false};

@@ -41,11 +41,13 @@ class FaceRegion {
  private:
   void pass(const FaceSide& face, NodeIndex a, NodeIndex b, const contact::Bounds& box);
   [[nodiscard]] bool at_end(SegmentIndex segment, const geometry::ClosestPoint& closest) const;
-  [[nodiscard]] bool meets(SegmentIndex segment, const contact::Bounds& box) const;
+  void add(const FaceSide& face);
+  [[nodiscard]] contact::Bounds bounds(SegmentIndex segment) const;
 
   const CutSurface& surface_;
   std::map<std::uint32_t, double> side_;
   std::vector<FaceSide> faces_;
+  std::vector<contact::Bounds> boxes_;  ///< beside faces_
 };
 
 }  // namespace gapcheck::audit

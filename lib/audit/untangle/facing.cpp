@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace gapcheck::audit {
+namespace {
+
+/// Pairs of a node and a segment for one piece, at most: about a second.
+constexpr std::uint64_t most_pairs = 100'000'000;
+
+}  // namespace
 
 std::optional<std::vector<Facing>> face_piece(const WrongPiece& piece, const CutSurface& other, std::uint64_t& work) {
   FaceRegion cut(other);
@@ -20,7 +26,10 @@ std::optional<std::vector<Facing>> face_piece(const WrongPiece& piece, const Cut
       if (std::isfinite(distance)) farthest = std::max(farthest, distance);
     }
   FaceRegion region(other);
+  const std::size_t count = piece.nodes.size() + piece.rim.size();
   if (!region.grow(piece.faces, contact::grown(box, farthest), work)) return std::nullopt;
+  if (region.faces().empty()) return std::vector<Facing>{};
+  if (count > most_pairs / region.faces().size()) return std::nullopt;
   std::vector<Facing> list;
   for (const auto* nodes : {&piece.nodes, &piece.rim})
     for (const NodeIndex n : *nodes) {

@@ -17,7 +17,7 @@ struct Facing {
 
 /// For each node of a piece, and of its rim, the nearest segment of the other surface, as far as this continues over
 /// edges with two segments from where it is cut through. Nodes that have none (the surface ends before) are left out.
-/// `work`: steps that may still be done; nothing if they are exceeded.
+/// `work`: steps that may still be done; nothing if they are exceeded, or the piece is too large.
 [[nodiscard]] std::optional<std::vector<Facing>> face_piece(const WrongPiece& piece, const CutSurface& other,
                                                             std::uint64_t& work);
 
