@@ -155,6 +155,7 @@ def dome():
 
 
 def airbag():
+    """Not in data/fix: its megabyte is written where it is needed."""
     d = Deck("a folded bag of 10,000 shells, its layers 0.08 too near")
     layers, nx, ny, pitch = 10, 49, 20, 0.42
 
@@ -265,10 +266,13 @@ SCENES = {
     "bolt": bolt, "crossed_05": lambda: crossed(5, reach=0.9), "crossed_15": lambda: crossed(15),
     "crossed_30": lambda: crossed(30), "crossed_45": lambda: crossed(45, reach=1.5),
     "crossed_60": lambda: crossed(60, reach=1.5), "crossed_90": lambda: crossed(90, reach=1.5),
-    "crossed_aside": lambda: crossed(8, shift=9.0), "corner": corner, "dome": dome, "airbag": airbag, "gears": gears,
+    "crossed_aside": lambda: crossed(8, shift=9.0), "corner": corner, "dome": dome, "gears": gears,
     "foam": foam, "crumpled": crumpled, "block_in_sheet": block_in_sheet, "block_in_block": block_in_block,
     "three_sheets": three_sheets, "one_way": one_way, "hooked": hooked, "through": through, "fixed_sheets": fixed_sheets,
 }
+
+
+LARGE = {"airbag": airbag}
 
 
 def write_all(folder):

@@ -15,6 +15,9 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import page
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import make_fix_scenes
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "fix.md"
 
@@ -81,14 +84,20 @@ def scenes(gapcheck):
     """The decks of data/fix: what is left, and why."""
     rows = ["| scene | nodes before | after | crossings before / after | largest move | mean | left, because |",
             "|---|---:|---:|---:|---:|---:|---|"]
-    for deck in sorted((ROOT / "data" / "fix").glob("*.k")):
-        report, before, after = corrected(gapcheck, deck)
+    with tempfile.TemporaryDirectory() as folder:
+        decks = list((ROOT / "data" / "fix").glob("*.k"))
+        for name, make in make_fix_scenes.LARGE.items():
+            decks.append(pathlib.Path(folder) / f"{name}.k")
+            decks[-1].write_text(make().text())
+        results = [(deck, deck.read_text().splitlines()[2], *corrected(gapcheck, deck))
+                   for deck in sorted(decks, key=lambda deck: deck.stem)]
+    for deck, title, report, before, after in results:
         s = report["summary"]
         reasons = sorted({c["why"] for c in report["crossings"]})
         if report["unfixed"]:
             reasons += sorted({REASONS[node["reason"]] for node in report["unfixed"]} - set(reasons))
         moves = [f"{s['largest_move']:.4g}", f"{s['mean_move']:.4g}"] if report["moved"] else ["–", "–"]
-        rows.append(f"| {deck.read_text().splitlines()[2]} (`{deck.stem}`) | {before} | {after} | "
+        rows.append(f"| {title} (`{deck.stem}`) | {before} | {after} | "
                     f"{s['crossings_before']} / {s['crossings_after']} | {' | '.join(moves)} | {'; '.join(reasons)} |")
     return "\n".join(rows)
 

@@ -45,14 +45,6 @@ std::string scene(std::uint64_t seed) {
   return text + single_surface + "*END\n";
 }
 
-model::Model read(const std::string& text) {
-  Diagnostics diagnostics;
-  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
-  auto model = model::read_model(deck.value(), diagnostics);
-  EXPECT_TRUE(model.ok());
-  return std::move(model).value();
-}
-
 std::uint64_t penetrating(const FixReport& report) {
   std::uint64_t count = 0;
   for (const FixContact& c : report.contacts) count += c.before.penetrations + c.before.released;
@@ -66,7 +58,7 @@ TEST(FixRandomCrossing, IsPartedOrNamed) {
     const FixRun run = fix_text(text);
     ASSERT_EQ(run.errors, 0u) << "seed " << seed;
     const FixReport& report = run.report();
-    const auto before = audit::crossing_pairs(read(text)), after = audit::crossing_pairs(read(run.text));
+    const auto before = audit::crossing_pairs(model_of(text)), after = audit::crossing_pairs(model_of(run.text));
     EXPECT_EQ(before.size(), report.crossings_before) << "seed " << seed;
     EXPECT_EQ(after.size(), report.crossings_after) << "seed " << seed;
     for (const audit::ElementPair& pair : after) EXPECT_TRUE(before.contains(pair)) << "seed " << seed;

@@ -14,14 +14,6 @@ namespace {
 
 constexpr std::uint64_t scenes = 100;
 
-model::Model model_of(const std::string& text) {
-  Diagnostics diagnostics;
-  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
-  auto model = model::read_model(deck.value(), diagnostics);
-  EXPECT_TRUE(model.ok());
-  return std::move(model).value();
-}
-
 std::uint64_t found(const FixReport& report, bool after) {
   std::uint64_t count = 0;
   for (const FixContact& c : report.contacts) {

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "audit/fix/fix.hpp"
 #include "keyword/deck.hpp"
+#include "model/model.hpp"
 
 namespace gapcheck::audit_test {
 
@@ -24,6 +26,15 @@ struct FixRun {
     return m == nullptr ? Vector(Vector::Zero()) : Vector(m->to - m->from);
   }
 };
+
+/// The model of a deck that has to be readable.
+inline model::Model model_of(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
+  auto model = model::read_model(deck.value(), diagnostics);
+  EXPECT_TRUE(model.ok());
+  return std::move(model).value();
+}
 
 /// Corrects a deck that has been read.
 inline FixRun run_fix(const Result<keyword::Deck>& deck, const audit::FixOptions& options = {}) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
 #include "contact/surface/segment_quality.hpp"
 #include "geometry/intersect.hpp"
@@ -24,7 +25,6 @@ struct Expected {
 
 /// By hand: a sheet whose end is r below another has to come up by r and the thickness 1, shared by both.
 const std::map<std::string, Expected> scenes{
-    {"airbag", {0.45}},          // five layers on each side, 0.08 each
     {"block_in_block", {0.75}},  // 0.7 deep
     {"block_in_sheet", {1.5}},   // 0.9 deep, half a thickness
     {"bolt", {0.25}},            // 0.1
@@ -51,14 +51,6 @@ const std::map<std::string, Expected> scenes{
     {"through", {1.5, 18, 54}},                               // the tube is 40 deep
     {"welded_stack", {0.3, 15, 0, HoldReason::constrained}},  // the welds hold their nodes
 };
-
-model::Model read(const std::string& text) {
-  Diagnostics diagnostics;
-  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
-  auto model = model::read_model(deck.value(), diagnostics);
-  EXPECT_TRUE(model.ok());
-  return std::move(model).value();
-}
 
 /// Shells without a common node whose triangles pass through each other, each against each.
 std::size_t crossing_shells(const model::Model& model) {
@@ -134,7 +126,7 @@ TEST_P(FixScene, IsFreeOrSaysWhyNot) {
   for (const FixContact& c : again.contacts) left += c.before.penetrations + c.before.released;
   EXPECT_EQ(left, report.unfixed.size());
   EXPECT_EQ(again.crossings_before, report.crossings_after);
-  const model::Model before = read(unchanged(folder + GetParam() + ".k")), after = read(run.text);
+  const model::Model before = model_of(unchanged(folder + GetParam() + ".k")), after = model_of(run.text);
   expect_sound(before, after);
   if (after.mesh.solids.size() == 0 && after.mesh.shells.size() < 1000 && expected.crossings == 0) {
     EXPECT_EQ(crossing_shells(after), 0u);
@@ -163,6 +155,36 @@ TEST(FixScenes, WithoutUntanglingNodesKeepTheirSides) {
   EXPECT_EQ(report.crossings_after, report.crossings_before);
   ASSERT_EQ(report.crossings.size(), 1u);
   EXPECT_EQ(report.crossings[0].pairs, 8u);
+}
+
+/// As make_fix_scenes.py writes it: ten layers of 49 x 20 shells, 0.42 apart, and shells upright in the folds.
+std::string airbag() {
+  constexpr int layers = 10, nx = 49, ny = 20, columns = layers * (nx + 1) + 1;
+  std::string text = "*KEYWORD\n" + elastic_steel +
+                     "*PART\nbag\n         1         1         1\n*SECTION_SHELL\n         1         2\n"
+                     "       0.5       0.5       0.5       0.5\n*NODE\n";
+  const auto node = [&](int i, int j) { return 1 + j * columns + i; };
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const int layer = i / (nx + 1), at = i % (nx + 1);
+      text += fmt::format("{:8}{:16}{:16}{:16.8f}\n", node(i, j), 2.0 * (layer % 2 == 0 ? at : nx - at), 2.0 * j,
+                          0.42 * layer);
+    }
+  text += "*ELEMENT_SHELL\n";
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i + 1 < columns; ++i)
+      text += fmt::format("{:8}{:8}{:8}{:8}{:8}{:8}\n", 1 + j * (columns - 1) + i, 1, node(i, j), node(i + 1, j),
+                          node(i + 1, j + 1), node(i, j + 1));
+  return text + single_surface + "*END\n";
+}
+
+TEST(FixScenes, FoldedBag) {
+  const FixRun run = fix_text(airbag());
+  EXPECT_EQ(run.report().contacts.at(0).before.penetrations, 10458u);
+  EXPECT_TRUE(complete(run.report()));
+  EXPECT_LE(run.report().largest_move, 0.45);  // five layers on each side, 0.08 each
+  EXPECT_EQ(fix_text(run.text).report().contacts.at(0).before.penetrations, 0u);
+  expect_sound(model_of(airbag()), model_of(run.text));
 }
 
 TEST(FixScenes, SegmentsOfSoft2CrossAsWell) {

@@ -8,14 +8,6 @@
 namespace gapcheck::audit_test::crossing_pairs_test {
 namespace {
 
-model::Model model_of(const std::string& text) {
-  Diagnostics diagnostics;
-  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
-  auto model = model::read_model(deck.value(), diagnostics);
-  EXPECT_TRUE(model.ok());
-  return std::move(model).value();
-}
-
 TEST(CrossingPairs, FindsElementsThatPassThroughEachOther) {
   model::Model model =
       model_of(plates_deck(Plate{.id = 1, .nx = 1, .ny = 1}, Plate{.id = 2, .z = 1, .x = 2, .y = 2, .nx = 1, .ny = 1}));
