@@ -12,10 +12,15 @@ import generated
 
 
 class Deck:
-    """Nodes, shells and bricks in parts of steel, and the lines of contacts."""
+    """Nodes, shells, bricks and beams in parts of steel, one contact, and other lines."""
 
     def __init__(self, title):
         self.title, self.nodes, self.parts, self.tail = title, [], [], []
+        self.contact("AUTOMATIC_SINGLE_SURFACE")
+
+    def contact(self, kind, sides=(0, 0, 5), cards=()):
+        """`sides`: SURFA, SURFB, SURFATYP, SURFBTYP; `cards`: behind card 3."""
+        self.contact_lines = [f"*CONTACT_{kind}_ID", f"{1:10}", "".join(f"{s:10}" for s in sides), "", "", *cards]
 
     def node(self, x, y, z):
         self.nodes.append((x, y, z))
@@ -40,13 +45,20 @@ class Deck:
             for k in range(nz) for j in range(ny) for i in range(nx)]))
         return grid
 
+    def cable(self, place, count, diameter):
+        """A chain of beams; `place` gives the point at each end."""
+        nodes = [self.node(*place(i)) for i in range(count + 1)]
+        self.parts.append(("beam", diameter, list(zip(nodes, nodes[1:]))))
+
     def text(self):
         lines = ["*KEYWORD", "*TITLE", self.title, "*MAT_ELASTIC", "         1   7.85e-9  210000.       0.3"]
         for number, (kind, thickness, _) in enumerate(self.parts, 1):
             lines += ["*PART", f"part {number}", f"{number:10}{number:10}{1:10}"]
-            lines += ["*SECTION_SOLID", f"{number:10}{1:10}"] if kind == "solid" else [
-                "*SECTION_SHELL", f"{number:10}{2:10}", f"{thickness:10}" * 4]
-        lines += ["*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", f"{1:10}", f"{0:10}{0:10}{5:10}", "", ""] + self.tail
+            lines += {"solid": ["*SECTION_SOLID", f"{number:10}{1:10}"],
+                      "shell": ["*SECTION_SHELL", f"{number:10}{2:10}", f"{thickness:10}" * 4],
+                      "beam": ["*SECTION_BEAM", f"{number:10}{1:10}{1.0:10}{2:10}{1:10}",
+                               f"{thickness:10}" * 2 + f"{0.0:10}" * 2]}[kind]
+        lines += self.contact_lines + self.tail
         lines += ["*NODE"] + [f"{n:8}{x:16.8f}{y:16.8f}{z:16.8f}" for n, (x, y, z) in enumerate(self.nodes, 1)]
         element = 0
         for number, (kind, _, elements) in enumerate(self.parts, 1):
@@ -229,12 +241,44 @@ def one_way():
     d = Deck("crossed sheets in a one-way contact, the tracked one on top")
     d.sheet(flat(), 12, 8)
     d.sheet(tilted(20, 27.3, 7.1, 0.0, 0.7), 7, 4)
-    text = d.text
+    d.contact("AUTOMATIC_NODES_TO_SURFACE", (2, 1, 3, 3))
+    return d
 
-    def changed():
-        return text().replace("*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n         1\n         0         0         5",
-                              "*CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID\n         1\n         2         1         3         3")
-    d.text = changed
+
+def soft_2():
+    d = Deck("a tube in a tube, 0.15 too wide, in a contact of segments (SOFT = 2)")
+    d.sheet(ring(20.0, 5.0, 24), 24, 6, wrap=True)
+    d.sheet(ring(19.15, 5.0, 24, 2.0, 0.1), 24, 5, wrap=True)
+    d.contact("AUTOMATIC_SURFACE_TO_SURFACE", (1, 2, 3, 3), [f"{2:10}"])
+    return d
+
+
+def mortar():
+    d = Deck("a shallow dome above a plate, 0.4 too near, in a mortar contact")
+    d.sheet(flat(), 12, 12)
+
+    def place(i, j):
+        u, v = (i - 5.5) / 5.5, (j - 5.5) / 5.5
+        return (3.1 + 4.9 * i, 2.7 + 4.9 * j, 0.6 + 3.0 * (u * u + v * v))
+    d.sheet(place, 11, 11)
+    d.contact("AUTOMATIC_SINGLE_SURFACE_MORTAR")
+    return d
+
+
+def cables():
+    d = Deck("a net of cables that are laid over each other, 0.3 too near")
+    for k in range(3):
+        d.cable(lambda i: (5.0 * i, 7.3 + 7.0 * k, 0.0), 6, 1.5)
+        d.cable(lambda i: (7.3 + 7.0 * k, 5.0 * i, 1.2), 6, 1.5)
+    d.contact("AUTOMATIC_GENERAL")
+    return d
+
+
+def ground():
+    d = Deck("a block of bricks, 0.2 deep in a rigid wall, and a sheet on it, 0.1 too near")
+    d.block(lambda i, j, k: (4.0 * i, 4.0 * j, 4.0 * k - 0.2), 5, 5, 3)
+    d.sheet(flat(-2.0, -2.0, 12.2, 4.0), 6, 6)
+    d.tail += ["*RIGIDWALL_PLANAR", "", "".join(f"{x:10}" for x in (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0))]
     return d
 
 
@@ -269,6 +313,7 @@ SCENES = {
     "crossed_aside": lambda: crossed(8, shift=9.0), "corner": corner, "dome": dome, "gears": gears,
     "foam": foam, "crumpled": crumpled, "block_in_sheet": block_in_sheet, "block_in_block": block_in_block,
     "three_sheets": three_sheets, "one_way": one_way, "hooked": hooked, "through": through, "fixed_sheets": fixed_sheets,
+    "soft_2": soft_2, "mortar": mortar, "cables": cables, "ground": ground,
 }
 
 

@@ -4,11 +4,13 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "audit/fix/node_lines.hpp"
@@ -16,6 +18,7 @@
 #include "changed_files.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
+#include "fix/before_after.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
@@ -36,6 +39,7 @@ struct StartArguments {
   keyword::ReadOptions read;
   report::StartTextOptions text;
   SettingsOptions settings;
+  BeforeAfter pictures;
   std::size_t jobs = 0;
   bool stats = false;
 };
@@ -86,6 +90,7 @@ Status check_files(const keyword::Deck& deck, const StartArguments& arguments, c
   add_deck_files(deck, read);
   std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
   for (const FixedFile& file : written.places) outputs.push_back({"--write-deck", file.written});
+  for (const PlannedOutput& output : planned_outputs(arguments.pictures)) outputs.push_back(output);
   return check_outputs(read, outputs);
 }
 
@@ -93,6 +98,20 @@ Status write_start(const StartArguments& arguments, const StartReport& report) {
   Output output(arguments.output);
   output.write(arguments.format == "json" ? report::start_json(report) : report::start_text(report, arguments.text));
   return output.close();
+}
+
+/// The deck and the start, if that is asked for.
+Status write_pictures(const StartArguments& arguments, const model::Nodes& nodes, const solver::Start& start) {
+  std::vector<NodeMove> moves;
+  double largest = 0;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (start.x[n] == nodes.x[n] || !start.x[n].allFinite()) continue;
+    moves.push_back({nodes.id[n], start.x[n]});
+    largest = std::max(largest, (start.x[n] - nodes.x[n]).norm());
+  }
+  std::string said = fmt::format("{} node{} moved before the first cycle, by at most {:.6g}", moves.size(),
+                                 moves.size() == 1 ? " is" : "s are", largest);
+  return write(arguments.pictures, arguments.deck, arguments.read, std::move(moves), std::move(said));
 }
 
 /// Counters, on standard error.
@@ -137,6 +156,7 @@ int start_deck(const StartArguments& arguments) {
   Status status = written.ok() ? check_files(deck.value(), arguments, written.value()) : Status(written.error());
   if (status.ok() && !arguments.directory.empty())
     status = write_files(deck.value(), written.value().files, written.value().places);
+  if (status.ok()) status = write_pictures(arguments, model.value().mesh.nodes, start);
   if (status.ok()) status = write_start(arguments, start.report);
   if (!status.ok()) {
     print(status.error());
@@ -160,6 +180,7 @@ void add_start(CLI::App& app, Action& action) {
       ->type_name("DIR");
   add_plain_report(*command, arguments->format, arguments->output, arguments->text.top,
                    "Pairs of parts, elements and nodes", arguments->text.quiet);
+  add_before_after(*command, arguments->pictures);
   command->add_flag("--stats", arguments->stats, "Show counters, on standard error");
   add_settings(*command, arguments->settings);
   add_includes(*command, arguments->read, arguments->missing_includes);

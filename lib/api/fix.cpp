@@ -64,7 +64,7 @@ FixContact contact_with(const gapcheck::FixContact& from) {
     return FixContact::State{s.penetrations, s.released, s.deepest};
   };
   return {from.id,           from.keyword,     from.title,        from.not_checked, state(from.before),
-          state(from.after), from.by_segments, from.edges_before, from.edges_after, from.why_untreated};
+          state(from.after), from.by_segments, from.edges_before, from.edges_after};
 }
 
 MovedNode moved_node(const gapcheck::MovedNode& from) {
@@ -92,6 +92,19 @@ UnfixedNode unfixed_node(const gapcheck::UnfixedNode& from, const FixReport& rep
   return node;
 }
 
+FixWall wall_of(const gapcheck::FixWall& from) {
+  FixWall wall{
+      from.id, from.title, from.before.penetrations, from.after.penetrations, from.before.deepest, from.after.deepest,
+      {}};
+  for (const gapcheck::UnfixedNode& each : from.unfixed) {
+    UnfixedNode& node = wall.unfixed.emplace_back();
+    node.node = each.node;
+    node.depth = each.depth;
+    node.reason = gapcheck::name(each.reason);
+  }
+  return wall;
+}
+
 FixProposal proposal_of(const gapcheck::FixProposal& from) {
   FixProposal proposal;
   proposal.contact = from.contact;
@@ -109,6 +122,7 @@ Fix public_fix(FixReport from) {
   fix.solved = gapcheck::complete(from);
   fix.files = from.files;
   for (const gapcheck::FixContact& contact : from.contacts) fix.contacts.push_back(contact_with(contact));
+  for (const gapcheck::FixWall& each : from.walls) fix.walls.push_back(wall_of(each));
   for (const gapcheck::MovedNode& node : from.moved) fix.moved.push_back(moved_node(node));
   for (const gapcheck::UnfixedNode& node : from.unfixed) fix.unfixed.push_back(unfixed_node(node, from));
   for (const gapcheck::FixProposal& proposal : from.proposals) fix.proposals.push_back(proposal_of(proposal));

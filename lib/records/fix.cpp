@@ -46,16 +46,21 @@ std::string_view words(HoldReason reason) {
   }
 }
 
-std::uint64_t untreated(const FixReport& report) {
-  return std::accumulate(report.contacts.begin(), report.contacts.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const FixContact& contact) {
-                           return sum + contact.edges_after + (contact.by_segments ? contact.after.penetrations : 0);
-                         });
+std::uint64_t penetrating_before(const FixReport& report) {
+  std::uint64_t sum = 0;
+  for (const FixContact& c : report.contacts) sum += c.before.penetrations + c.before.released + c.edges_before;
+  for (const FixWall& wall : report.walls) sum += wall.before.penetrations;
+  return sum;
+}
+
+std::uint64_t penetrating_after(const FixReport& report) {
+  return std::accumulate(report.walls.begin(), report.walls.end(), std::uint64_t{report.unfixed.size()},
+                         [](std::uint64_t sum, const FixWall& wall) { return sum + wall.unfixed.size(); });
 }
 
 bool complete(const FixReport& report) {
-  return report.unfixed.empty() && report.crossings_after == 0 && report.separated_ties_after == 0 &&
-         untreated(report) == 0;
+  return penetrating_after(report) == 0 && report.crossings_after == 0 && report.enclosed.empty() &&
+         report.separated_ties_after == 0;
 }
 
 }  // namespace gapcheck

@@ -54,6 +54,14 @@ struct LeftCrossing {
   std::string why;                              ///< in words
 };
 
+/// A body of solids that lies wholly inside another part; it stays there.
+struct EnclosedSolids {
+  std::uint32_t contact = 0;              ///< position in FixReport::contacts
+  std::int64_t part = 0, outer_part = 0;  ///< ids
+  std::int64_t element = 0;               ///< the first of its solids
+  std::uint64_t solids = 0;
+};
+
 /// An alternative that would remove the penetrations between two parts: what it is, and the keyword lines.
 struct FixAlternative {
   std::string text, card;
@@ -81,10 +89,16 @@ struct FixContact {
   std::int64_t id = 0;
   std::string keyword, title, not_checked;
   State before, after;
-  bool by_segments =
-      false;  ///< SOFT = 2 or mortar: `before` and `after` are corners of segments, and none is corrected
-  std::uint64_t edges_before = 0, edges_after = 0;  ///< pairs of edges that penetrate in types 26; none is corrected
-  std::string why_untreated;                        ///< in a sentence; empty: nothing is left that is not corrected
+  bool by_segments = false;  ///< SOFT = 2 or mortar: `before` and `after` are corners of segments
+  std::uint64_t edges_before = 0, edges_after = 0;  ///< edges that penetrate others, in types 26
+};
+
+/// One rigid wall before and after, of those in which nodes lie.
+struct FixWall {
+  std::int64_t id = 0;
+  std::string title;
+  FixContact::State before, after;
+  std::vector<UnfixedNode> unfixed;  ///< by node; without contact and element
 };
 
 /// A file of the deck that has changed.
@@ -99,12 +113,14 @@ struct FixReport {
   std::string input;
   std::vector<std::string> files;  ///< of the deck; what `file` members point into
   std::vector<FixContact> contacts;
-  std::vector<MovedNode> moved;         ///< ascending by node id
-  std::vector<UnfixedNode> unfixed;     ///< by contact, deepest first
-  std::vector<LeftCrossing> crossings;  ///< after it, by contact
-  std::vector<FixProposal> proposals;   ///< by contact and parts
-  std::vector<FixedFile> changed;       ///< in the order of the deck
-  std::vector<std::string> notes;       ///< input that is not supported
+  std::vector<FixWall> walls;            ///< in the order of the deck
+  std::vector<MovedNode> moved;          ///< ascending by node id
+  std::vector<UnfixedNode> unfixed;      ///< by contact, deepest first
+  std::vector<LeftCrossing> crossings;   ///< after it, by contact
+  std::vector<EnclosedSolids> enclosed;  ///< after it
+  std::vector<FixProposal> proposals;    ///< by contact and parts
+  std::vector<FixedFile> changed;        ///< in the order of the deck
+  std::vector<std::string> notes;        ///< input that is not supported
   double largest_move = 0, total_move = 0;
   std::uint64_t elements_touched = 0, elements_worsened = 0;  ///< with a moved node; of these with a worse shape
   std::uint64_t crossings_before = 0, crossings_after = 0;    ///< elements that cross another one
@@ -116,8 +132,9 @@ struct FixReport {
   [[nodiscard]] double mean_move() const { return moved.empty() ? 0 : total_move / static_cast<double>(moved.size()); }
 };
 
-/// Penetrations that no correction was made for, after it.
-[[nodiscard]] std::uint64_t untreated(const FixReport& report);
+/// Nodes and edges that penetrate before the correction, and after it.
+[[nodiscard]] std::uint64_t penetrating_before(const FixReport& report);
+[[nodiscard]] std::uint64_t penetrating_after(const FixReport& report);
 /// True if nothing penetrates or crosses any more and no tied node keeps a separation that was to be removed.
 [[nodiscard]] bool complete(const FixReport& report);
 

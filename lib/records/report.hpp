@@ -12,6 +12,7 @@
 #include "records/baseline.hpp"
 #include "records/element_mesh.hpp"
 #include "records/ignored.hpp"
+#include "records/node_move.hpp"
 #include "records/penetration.hpp"
 #include "records/portability.hpp"
 #include "records/scene_mesh.hpp"
@@ -119,6 +120,8 @@ struct Report {
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;
   std::optional<SceneMesh> scene;   ///< only where it was asked for
+  std::vector<NodeMove> moves;      ///< nodes that pictures show before and after, by id
+  std::string said_of_moves;        ///< of these, for a reader: "32 nodes move by at most 0.2078"
   std::optional<ElementMesh> mesh;  ///< only where it was asked for
   std::int64_t highest_set = 0;     ///< largest id of a set of the deck; 0: none, or no deck was read
 };

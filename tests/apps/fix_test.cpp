@@ -27,6 +27,26 @@ TEST_F(FixProgram, WritesADeckThatTheAuditLikes) {
   EXPECT_EQ(gapcheck("audit out/two_plates.k --select GC101 --fail-on warning --quiet").code, 0);
 }
 
+TEST_F(FixProgram, ShowsTheDeckBeforeAndAfter) {
+  const std::string before = content(folder_ / "data/two_plates.k");
+  const Ended fixed = gapcheck("fix data/two_plates.k --dry-run --html page.html --vtu grid.vtu");
+  EXPECT_EQ(fixed.code, 0) << fixed.err;
+  EXPECT_NE(content(folder_ / "page.html").find("\"moved_points\""), std::string::npos);
+  EXPECT_NE(content(folder_ / "grid.vtu").find("Name=\"move\""), std::string::npos);
+  for (const char* option : {"--html", "--vtu"}) {
+    const Ended over = gapcheck(std::string("fix data/two_plates.k --dry-run ") + option + " data/two_plates.k");
+    EXPECT_EQ(over.code, 2) << option;
+    EXPECT_EQ(content(folder_ / "data/two_plates.k"), before) << option;
+    EXPECT_EQ(gapcheck(std::string("fix data/two_plates.k --plan ") + option + " p").code, 2) << option;
+    EXPECT_EQ(gapcheck(std::string("start data/two_plates.k ") + option + " data/two_plates.k").code, 2) << option;
+    EXPECT_EQ(content(folder_ / "data/two_plates.k"), before) << option;
+  }
+  EXPECT_EQ(gapcheck("start data/ignore_0.k --vtu start.vtu --html none/page.html").code, 2)
+      << "there is no such folder";
+  EXPECT_EQ(gapcheck("start data/ignore_0.k --vtu start.vtu").code, 1);
+  EXPECT_NE(content(folder_ / "start.vtu").find("Name=\"move\""), std::string::npos);
+}
+
 TEST_F(FixProgram, WritesOnlyTheIncludeThatChanges) {
   const Ended fixed = gapcheck("fix data/include_parameter.k -o out");
   EXPECT_EQ(fixed.code, 0) << fixed.err;

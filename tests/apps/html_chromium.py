@@ -204,6 +204,24 @@ def check_selection(browser):
     check(float(browser.value("document.querySelector('#scale span').textContent")) > 0, "the scale has a length")
 
 
+def check_moves(browser):
+    """Where nodes move, the picture shows the mesh before, after, and as it was again."""
+    data = json.loads(browser.value("document.getElementById('data').textContent"))
+    there = bool(data["picture"].get("moved_points"))
+    labels = browser.value("[...document.querySelectorAll('#tools select')].map(s => s.ariaLabel)")
+    check(("Nodes" in labels) == there, f"a choice of before and after where nodes move: {labels}")
+    if not there:
+        return
+    check(data["moves"] in browser.value("document.getElementById('model').textContent"), "the page says what moves")
+    browser.click("#tools button:nth-of-type(1)")
+    before = browser.settle()
+    change(browser, "Nodes", "10")
+    after = browser.settle(different_from=before)
+    check(after != before, "after the moves the picture is another one")
+    change(browser, "Nodes", "0")
+    check(browser.settle(different_from=after) == before, "and before them it is the first one again")
+
+
 def check_elements(browser):
     """A finding of an element whose position is not known is shown where its element is."""
     data = json.loads(browser.value("document.getElementById('data').textContent"))
@@ -298,6 +316,7 @@ def check_page(path):
                 check_picture(browser)
                 check_selection(browser)
                 check_elements(browser)
+                check_moves(browser)
             else:
                 why = browser.value("document.getElementById('view').textContent")
                 check("known" in why, f"it says why there is no picture: {why}")

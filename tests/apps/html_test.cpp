@@ -99,6 +99,17 @@ TEST_F(Html, ADeckInChromium) {
   expect_good("page.html");
 }
 
+TEST_F(Html, BeforeAndAfterInChromium) {
+  ASSERT_EQ(gapcheck("fix --dry-run --html page.html " + deck("two_plates.k")).code, 0);
+  EXPECT_NE(content(folder_ / "page.html").find("18 nodes penetrating before, 0 after; 32 nodes moved"),
+            std::string::npos);
+  expect_good("page.html");
+  ASSERT_EQ(gapcheck("start --html start.html " + deck("ignore_0.k")).code, 1);
+  EXPECT_NE(content(folder_ / "start.html").find("nodes are moved before the first cycle, by at most 0.3006"),
+            std::string::npos);
+  expect_good("start.html");
+}
+
 TEST_F(Html, ABaselineAndIgnoresInChromium) {
   const std::string text = content(project / "data/two_plates.k");
   file("deck.k", text);

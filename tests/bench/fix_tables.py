@@ -29,6 +29,8 @@ REAL = [
     ("car6, finest", "car6_refined/lsopt_car6/main_v222.k", []),
     ("car6, finest, `--free-welds`", "car6_refined/lsopt_car6/main_v222.k", ["--free-welds"]),
     ("ball_plate", "ball_plate/ball_plate.k", []),
+    ("projectile", "small_decks/tests/testfiles/run/case-keywords/projectile.k", []),
+    ("bird strike on a composite", "bird_strike_composite/input.k", []),
 ]
 EXAMPLE = ["data/two_plates.k", "-o", "fixed", "--dry-run", "--top", "3"]
 VERIFY = ["data/snlog_1.k", "--dry-run", "--verify", "--top", "0"]
@@ -41,10 +43,13 @@ SHOES = ["50F-standing/vivaplus-82-Shoes-50F_standing_nodes.k", "common/vivaplus
 
 
 def found(gapcheck, deck):
-    """Nodes of GC101 and GC102 by an audit of the deck."""
-    out = subprocess.run([gapcheck, "audit", deck, "--select", "GC101,GC102", "--format", "json"],
+    """Nodes, corners of segments and edges that penetrate, and nodes in rigid walls, by an audit of the deck."""
+    out = subprocess.run([gapcheck, "audit", deck, "--select", "GC101,GC102,GC107,GC108,GC109,GC110", "--format", "json"],
                          capture_output=True, text=True).stdout
-    return sum(c["penetrations"] + c["released"] for c in json.loads(out)["contacts"])
+    report = json.loads(out)
+    kinds = ("penetrations", "released", "segment_penetrations", "mortar_penetrations", "edge_penetrations")
+    walls = (f for f in report["findings"] if f["id"] == "GC110")
+    return sum(c.get(kind, 0) for c in report["contacts"] for kind in kinds) + sum(f.get("count", 1) for f in walls)
 
 
 def corrected(gapcheck, deck, options=()):

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/number.hpp"
@@ -68,6 +69,13 @@ Status write_report(const FixArguments& arguments, const FixReport& report) {
   return output.close();
 }
 
+/// The deck before and after, if that is asked for.
+Status write_pictures(const FixArguments& arguments, const FixReport& report) {
+  std::vector<NodeMove> moves;
+  for (const MovedNode& node : report.moved) moves.push_back({node.node, node.to});
+  return write(arguments.pictures, arguments.deck, arguments.read, std::move(moves), report::said_of(report));
+}
+
 /// The corrected files, unless it is a dry run, and the report.
 Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
   Status status;
@@ -75,6 +83,7 @@ Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Fi
                              : choose_places(deck, arguments.deck, {"-o", arguments.directory}, fix.report.changed);
   if (status.ok()) status = check_fix_report(deck, arguments, fix.report.changed);
   if (status.ok() && !arguments.dry_run) status = write_files(deck, fix.files, fix.report.changed);
+  if (status.ok()) status = write_pictures(arguments, fix.report);
   return status.ok() ? write_report(arguments, fix.report) : status;
 }
 
@@ -204,6 +213,10 @@ void add_fix(CLI::App& app, Action& action) {
   command->get_option("--plan")->excludes(command->get_option("-o"))->excludes(command->get_option("--verify"));
   add_plain_report(*command, arguments->format, arguments->output, arguments->text.top, "Nodes and pairs of parts",
                    arguments->text.quiet);
+  add_before_after(*command, arguments->pictures);
+  for (const char* page : {"--html", "--vtu"}) command->get_option("--plan")->excludes(command->get_option(page));
+  for (const char* page : {"--html", "--vtu"}) command->get_option("--best")->excludes(command->get_option(page));
+  for (const char* page : {"--html", "--vtu"}) command->get_option("--apply")->excludes(command->get_option(page));
   command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");
   add_settings(*command, arguments->settings);
   add_includes(*command, arguments->read, arguments->missing_includes);

@@ -107,6 +107,7 @@ Status check_fix_report(const keyword::Deck& deck, const FixArguments& arguments
   add_deck_files(deck, read);
   std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
   for (const FixedFile& file : written) outputs.push_back({"-o", file.written});
+  for (const PlannedOutput& output : planned_outputs(arguments.pictures)) outputs.push_back(output);
   return check_outputs(read, outputs);
 }
 

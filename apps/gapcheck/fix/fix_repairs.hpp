@@ -6,6 +6,7 @@
 
 #include "audit/fix/fix.hpp"
 #include "base/result.hpp"
+#include "fix/before_after.hpp"
 #include "keyword/deck.hpp"
 #include "report/format/fix_report.hpp"
 #include "settings/settings.hpp"
@@ -21,6 +22,7 @@ struct FixArguments {
   std::vector<std::string> locks, priorities, apply;
   keyword::ReadOptions read;
   audit::FixOptions fix;
+  BeforeAfter pictures;
   report::FixTextOptions text;
   SettingsOptions settings;
   solver::TrialSettings trial;

@@ -44,9 +44,8 @@ struct FixContact {
   std::string keyword, title;
   std::string not_checked;  ///< why neither penetrations nor ties were decided; empty: they were
   State before, after;
-  bool by_segments = false;  ///< SOFT = 2 or mortar: `before` and `after` are corners of segments; none is corrected
-  std::uint64_t edges_before = 0, edges_after = 0;  ///< pairs of edges that penetrate in types 26; none is corrected
-  std::string not_corrected;                        ///< what is left for these reasons, a sentence; empty: nothing
+  bool by_segments = false;  ///< SOFT = 2 or mortar: `before` and `after` are corners of segments
+  std::uint64_t edges_before = 0, edges_after = 0;  ///< edges that penetrate others, in types 26
 };
 
 /// A node that was moved; coordinates of the deck.
@@ -63,6 +62,15 @@ struct UnfixedNode {
   double depth = 0, contact_distance = 0;
   bool released = false;  ///< so deep that the solver releases it
   std::string reason;     ///< what holds it: "locked", "rigid", "shape", …; "none": no way was found
+};
+
+/// One rigid wall before and after the correction, of those in which nodes lie.
+struct FixWall {
+  std::int64_t id = 0;
+  std::string title;
+  std::uint64_t nodes_before = 0, nodes_after = 0;
+  double deepest_before = 0, deepest_after = 0;
+  std::vector<UnfixedNode> unfixed;  ///< without contact, part and element
 };
 
 /// Instead of moving nodes: what else would remove the penetrations of two parts.
@@ -96,6 +104,7 @@ struct Fix {
   bool solved = false;
   std::vector<std::string> files;  ///< of the deck; what `file` members refer to
   std::vector<FixContact> contacts;
+  std::vector<FixWall> walls;          ///< in the order of the deck
   std::vector<MovedNode> moved;        ///< by node id
   std::vector<UnfixedNode> unfixed;    ///< by contact, deepest first
   std::vector<FixProposal> proposals;  ///< by contact and parts

@@ -13,7 +13,6 @@
 #include "audit/fix/left_crossings.hpp"
 #include "audit/fix/mover.hpp"
 #include "audit/fix/proposals.hpp"
-#include "audit/fix/untreated.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -30,8 +29,6 @@ class Reporter {
       : model_(model), deck_(deck), mover_(mover), report_(report) {}
 
   void contacts() {
-    const std::vector<Untreated> before = find_untreated(model_, deck_),
-                                 after = find_untreated(model_, model_.mesh.nodes.x);
     for (const ContactIndex c : positions<ContactIndex>(model_.contacts.size())) {
       FixContact contact;
       contact.id = model_.contact(c).id.value;
@@ -41,8 +38,35 @@ class Reporter {
       if (not_checked != mover_.before().not_checked.end()) contact.not_checked = not_checked->second;
       contact.before = mover_.before().counts[c.value];
       contact.after = mover_.after().counts[c.value];
-      if (!after.empty()) add(before[c.value], after[c.value], contact);
+      contact.edges_before = mover_.before().edges[c.value];
+      contact.edges_after = mover_.after().edges[c.value];
+      contact.by_segments = contact::classify(model_.contact(c)).by_segments();
       report_.contacts.push_back(std::move(contact));
+    }
+  }
+
+  void walls() {
+    std::map<std::uint32_t, FixWall> found;
+    const auto count = [](const WallHit& hit, FixContact::State& state) {
+      ++state.penetrations;
+      state.deepest = std::max(state.deepest, hit.depth);
+    };
+    for (const WallHit& hit : mover_.before().walls) count(hit, found[hit.wall].before);
+    for (const WallHit& hit : mover_.after().walls) {
+      FixWall& wall = found[hit.wall];
+      count(hit, wall.after);
+      const model::Nodes& all = model_.mesh.nodes;
+      UnfixedNode& node = wall.unfixed.emplace_back();
+      node.node = all.id[hit.node.value];
+      node.depth = hit.depth;
+      node.reason = mover_.reason(hit);
+      node.file = all.origins.file(hit.node.value).value;
+      node.line = all.line[hit.node.value];
+    }
+    for (auto& [position, wall] : found) {
+      wall.id = model_.rigid_walls[position].id;
+      wall.title = model_.rigid_walls[position].title;
+      report_.walls.push_back(std::move(wall));
     }
   }
 
@@ -102,17 +126,6 @@ class Reporter {
   }
 
  private:
-  static void add(const Untreated& before, const Untreated& after, FixContact& contact) {
-    contact.by_segments = after.by_segments;
-    contact.edges_before = before.edges;
-    contact.edges_after = after.edges;
-    contact.why_untreated = words(after);
-    if (!after.by_segments) return;
-    contact.not_checked.clear();
-    contact.before = before.segments;
-    contact.after = after.segments;
-  }
-
   /// With --free-welds.
   void welds() {
     const auto move = [&](NodeIndex n) { return Vector(model_.mesh.nodes.x[n.value] - deck_[n.value]); };
@@ -217,10 +230,12 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   if (options.proposals) report.proposals = proposals(model, x, mover.before().state);
   Reporter reporter(model, x, mover, report);
   reporter.contacts();
+  reporter.walls();
   reporter.moved(moved);
   reporter.unfixed();
   if (report.crossings_after > 0)
     report.crossings = left_crossings(model, [&](NodeIndex n) { return mover.reason(n); });
+  report.enclosed = enclosed_solids(model);
   reporter.notes(unread);
   fix.files = edits(model, lines, mover, moved);
   for (const ChangedLines& file : fix.files)

@@ -36,14 +36,16 @@ struct Fix {
   std::vector<File> files;  ///< only those that change, in the order of the deck
 };
 
-/// Moves nodes so that nothing penetrates initially any more (GC101, GC102) and tied nodes that the solver would move
-/// lie on their segments (GC204), with the least movement: Σ wᵢ |uᵢ|², weights of find_freedoms(). Each node keeps to
+/// Moves nodes so that nothing penetrates initially any more (GC101, GC102, GC107 to GC110) and tied nodes that the
+/// solver would move lie on their segments (GC204), with the least movement: Σ wᵢ |uᵢ|², weights of find_freedoms().
+/// Each node keeps to
 /// the side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does.
 /// Ties stay together; nodes that must not move stay; elements keep their shape (ShapeLimits). The coordinates are
-/// judged as rounded in the deck's lines. Never more nodes penetrate afterwards than before. Contacts that judge
-/// segments (SOFT = 2, mortar) are left alone. With FixOptions::recommended no least movement is sought, elements may
-/// lose their shape, and what the moves make penetrate is reported as unfixed. Errors: the deck cannot be read as a
-/// model, has unread keywords that move or create nodes, or lacks something that the options name.
+/// judged as rounded in the deck's lines. Never more nodes penetrate afterwards than before. Overlaps that mortar
+/// contacts press out over time (IGNORE = 3, 4) and those of INTERFERENCE are left alone. With FixOptions::recommended
+/// no least movement is sought, elements may lose their shape, and what the moves make penetrate is reported as
+/// unfixed. Errors: the deck cannot be read as a model, has unread keywords that move or create nodes, or lacks
+/// something that the options name.
 [[nodiscard]] Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options,
                                            Diagnostics& diagnostics);
 

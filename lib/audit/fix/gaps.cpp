@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/quad.hpp"
 #include "contact/definition/outcome.hpp"
 #include "geometry/closest_point.hpp"
+#include "geometry/edge_distance.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -50,6 +52,39 @@ GapState measure_line(const Gap& gap, const geometry::Facet& facet, const Vector
   return state;
 }
 
+/// Of two edges, along their common perpendicular. Where an end is nearest, nodes and segments have to see to it.
+GapState measure_edges(const Gap& gap, const std::vector<Vector>& x) {
+  const geometry::Edge first{x[gap.node.value] + gap.shift, x[gap.end.value] + gap.shift};
+  const geometry::Edge second{x[gap.corners[0].value], x[gap.corners[1].value]};
+  const geometry::EdgesClosest c = geometry::closest_points(first, second);
+  GapState state;
+  state.counts = std::abs(c.s) < 1 && std::abs(c.t) < 1;
+  state.own = (1 - c.s) / 2;
+  state.share = {(1 - c.t) / 2, (1 + c.t) / 2, 0, 0};
+  state.direction = gap.side * (first[1] - first[0]).cross(second[1] - second[0]).stableNormalized();
+  state.gap = state.direction.dot(c.first - c.second);
+  return state;
+}
+
+GapState measure_wall(const Gap& gap, const std::vector<Vector>& x) {
+  GapState state;
+  state.direction = gap.away;
+  state.gap = gap.away.dot(x[gap.node.value] - gap.foot);
+  return state;
+}
+
+/// The side of surfaces that lie in each other: parts with higher ids go towards the positive end of the axis to which
+/// the normal is nearest, so that all pairs of two parts agree.
+double side_of_equals(const Vector& normal, const Penetration& record) {
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  const double up = normal[axis] < 0 ? -1 : 1;
+  return record.part < record.element_part ? -up : up;
+}
+
+/// Heights below this share of the contact distance are rounding.
+constexpr double level = 1e-6;
+
 /// Asks `skip` about the node and the segment of a record.
 bool skips(const model::Mesh& mesh, const Penetration& record, const Gaps::Skip& skip) {
   const auto node = mesh.nodes.lookup.find(record.node);
@@ -66,9 +101,11 @@ bool skips(const model::Mesh& mesh, const Penetration& record, const Gaps::Skip&
 }  // namespace
 
 GapState measure_gap(const Gap& gap, const std::vector<Vector>& x) {
+  if (gap.kind == GapKind::edges) return measure_edges(gap, x);
+  if (gap.kind == GapKind::wall) return measure_wall(gap, x);
   const geometry::Facet facet = facet_of(gap, x);
   const Vector q = x[gap.node.value] + gap.shift;
-  if (gap.line) return measure_line(gap, facet, q);
+  if (gap.kind == GapKind::line) return measure_line(gap, facet, q);
   const auto c = geometry::closest_point(facet, q);
   GapState state;
   state.counts = c.in_band;
@@ -104,29 +141,31 @@ void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSu
                      const contact::RecordPair& pair, const Penetration& record, const std::vector<Vector>& x) {
   const auto& nodes = (pair.node_on_b ? surfaces.b : surfaces.a).nodes;
   const auto& segments = (pair.segment_on_b ? surfaces.b : surfaces.a).selection.segments;
-  gap.line = segments.kind[pair.segment.value] == contact::SegmentKind::line;
+  if (segments.kind[pair.segment.value] == contact::SegmentKind::line) gap.kind = GapKind::line;
   gap.distance = record.contact_distance;
   if (!nodes.shift.empty()) gap.shift = nodes.shift[pair.slot.value];
   if (!segments.offset.empty()) gap.offset = segments.offset[pair.segment.value];
-  if (gap.line) return;
+  if (gap.kind == GapKind::line) return;
   const Vector q = x[gap.node.value] + gap.shift;
   const auto closest = geometry::closest_point(facet_of(gap, x), q);
   // The record's distance is negative behind a segment that has a front: then the way out is the opposite one.
   const double distance = record.remaining();
   double height = closest.normal.dot(q - closest.point);
   const bool two_sided = segments.kind[pair.segment.value] == contact::SegmentKind::shell &&
-                         surfaces.type.family != contact::Family::old &&
-                         surfaces.type.family != contact::Family::forming;
+                         (surfaces.type.by_segments() || (surfaces.type.family != contact::Family::old &&
+                                                          surfaces.type.family != contact::Family::forming));
   if (two_sided && distance < ambiguous * gap.distance)
     height = neighbours_height(mesh, gap.node, closest.point - gap.shift, closest.normal, x);
   gap.side = (distance < 0 ? -height : height) < 0 ? -1 : 1;
+  if (two_sided && std::abs(height) <= level * gap.distance) gap.side = side_of_equals(closest.normal, record);
 }
 
 void Gaps::add(const model::Mesh& mesh, std::span<const KnownSide> sides, const std::vector<Vector>& x) {
   for (const KnownSide& known : sides) {
     std::array<std::int64_t, 4> segment{};
     for (std::size_t i = 0; i < 4; ++i) segment[i] = mesh.nodes.id[known.corners[i].value];
-    const auto [place, fresh] = position_.emplace(Key{known.contact.value, known.node.value, segment}, gaps_.size());
+    const Key key{known.contact.value, known.node.value, none<NodeIndex>.value, segment};
+    const auto [place, fresh] = position_.emplace(key, gaps_.size());
     if (fresh) {
       Gap gap;
       gap.contact = known.contact;
@@ -151,25 +190,97 @@ void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const
   for (const Penetration& record : state.penetrations) {
     if (!to_be_fixed(record.kind)) continue;
     if (skip && skips(model.mesh, record, skip)) continue;
-    if (Gap* known = find(model, record); known != nullptr) {
-      if (++known->seen > patience) known->clearance += 2 * record.depth;
-      known->deepest = std::max(known->deepest, record.depth);
-      known->clearance = std::max(known->clearance, (contact::shooting_move - 1) * known->deepest);
+    const auto key = key_of(model, record);
+    if (!key) continue;
+    if (const auto known = position_.find(*key); known != position_.end()) {
+      deepen(gaps_[known->second], record.depth);
       continue;
     }
-    const ContactIndex of{record.contact};
-    const contact::ContactSurfaces& sides = surfaces.at(of);
-    const auto pair = contact::find_pair(sides, model.mesh, record);
-    if (!pair) continue;
     Gap gap;
-    gap.contact = of;
-    gap.node = NodeIndex{*model.mesh.nodes.lookup.find(record.node)};
-    gap.corners = (pair->segment_on_b ? sides.b : sides.a).selection.segments.nodes[pair->segment.value];
-    take_side(gap, model.mesh, sides, *pair, record, x);
+    gap.contact = ContactIndex{record.contact};
+    gap.node = NodeIndex{std::get<1>(*key)};
+    gap.distance = record.contact_distance;
+    if (record.kind == PenetrationKind::edge) {
+      gap.end = NodeIndex{std::get<2>(*key)};
+      take_edges(gap, model.mesh, record, x);
+    } else {
+      const contact::ContactSurfaces& sides = surfaces.at(gap.contact);
+      const auto pair = contact::find_pair(sides, model.mesh, record);
+      if (!pair) continue;
+      gap.corners = (pair->segment_on_b ? sides.b : sides.a).selection.segments.nodes[pair->segment.value];
+      take_side(gap, model.mesh, sides, *pair, record, x);
+    }
     gap.deepest = record.depth;
     gap.clearance = (contact::shooting_move - 1) * record.depth;
-    position_.emplace(Key{record.contact, gap.node.value, record.segment}, gaps_.size());
+    position_.emplace(*key, gaps_.size());
     gaps_.push_back(gap);
+  }
+}
+
+void Gaps::deepen(Gap& gap, double depth) {
+  if (++gap.seen > patience) gap.clearance += 2 * depth;
+  gap.deepest = std::max(gap.deepest, depth);
+  gap.clearance = std::max(gap.clearance, (contact::shooting_move - 1) * gap.deepest);
+}
+
+/// The side is the one on which the edges are, and of edges next to each other that of the nodes around them.
+void Gaps::take_edges(Gap& gap, const model::Mesh& mesh, const Penetration& record, const std::vector<Vector>& x) {
+  gap.kind = GapKind::edges;
+  for (std::size_t i = 0; i < 4; ++i) gap.corners[i] = NodeIndex{*mesh.nodes.lookup.find(record.segment[i])};
+  const Vector normal = (x[gap.end.value] - x[gap.node.value])
+                            .cross(x[gap.corners[1].value] - x[gap.corners[0].value])
+                            .stableNormalized();
+  double height = normal.dot(record.original - record.point);
+  if (record.remaining() < ambiguous * gap.distance) {
+    height = 0;
+    for (const NodeIndex n : {gap.node, gap.end}) height += neighbours_height(mesh, n, record.point, normal, x);
+    for (const NodeIndex n : {gap.corners[0], gap.corners[1]})
+      height -= neighbours_height(mesh, n, record.original, normal, x);
+  }
+  gap.side = std::abs(height) <= level * gap.distance ? side_of_equals(normal, record) : height < 0 ? -1 : 1;
+}
+
+/// The other end of the tracked edge of a record, which names only the end that is nearest to the other edge.
+NodeIndex Gaps::other_end(const model::Mesh& mesh, NodeIndex node, const Penetration& record,
+                          const std::vector<Vector>& x) {
+  NodeIndex best = none<NodeIndex>;
+  double least = std::numeric_limits<double>::infinity();
+  const double along = (1 - std::abs(record.t)) / 2;
+  const auto look = [&](NodeIndex end) {
+    if (end == node || end == none<NodeIndex>) return;
+    const double off = (x[node.value] + along * (x[end.value] - x[node.value]) - record.original).squaredNorm();
+    if (!(off < least)) return;
+    least = off;
+    best = end;
+  };
+  for (const std::uint32_t e : index_.shells.at(node)) {
+    const auto& n = mesh.shells.nodes[e];
+    for (std::size_t i = 0; i < 4; ++i)
+      if (n[i] == node) {
+        look(n[(i + 1) % 4]);
+        look(n[(i + 3) % 4]);
+        if (n[2] == n[3]) look(n[0]);
+      }
+  }
+  for (const std::uint32_t e : index_.beams.at(node))
+    for (const NodeIndex end : {mesh.beams.nodes[e][0], mesh.beams.nodes[e][1]}) look(end);
+  return best;
+}
+
+void Gaps::add(std::span<const WallHit> hits) {
+  for (const WallHit& hit : hits) {
+    Gap* gap = find(hit);
+    if (gap == nullptr) {
+      position_.emplace(wall_key(hit), gaps_.size());
+      gap = &gaps_.emplace_back();
+      gap->kind = GapKind::wall;
+      gap->contact = none<ContactIndex>;
+      gap->node = hit.node;
+      gap->corners.fill(hit.node);
+    }
+    gap->foot = hit.surface;
+    gap->away = hit.normal;
+    deepen(*gap, hit.depth);
   }
 }
 
@@ -180,17 +291,35 @@ void Gaps::widen(double clearance) {
 void Gaps::give_up(const JoinedNodes& joined) {
   if (joined.leaders().empty()) return;
   for (Gap& gap : gaps_) {
-    const NodeIndex own = joined.leader(gap.node);
-    const bool one =
-        std::any_of(gap.corners.begin(), gap.corners.end(), [&](NodeIndex n) { return joined.leader(n) == own; });
+    if (gap.kind == GapKind::wall) continue;
+    const auto meets = [&](NodeIndex own) {
+      return std::any_of(gap.corners.begin(), gap.corners.end(),
+                         [&](NodeIndex n) { return joined.leader(n) == joined.leader(own); });
+    };
+    const bool one = meets(gap.node) || (gap.kind == GapKind::edges && meets(gap.end));
     if (one && gap.given_up == HoldReason::none) gap.given_up = HoldReason::constrained;
   }
 }
 
+std::optional<Gaps::Key> Gaps::key_of(const model::Model& model, const Penetration& record) {
+  const auto found = model.mesh.nodes.lookup.find(record.node);
+  if (!found) return std::nullopt;
+  NodeIndex end = none<NodeIndex>;
+  if (record.kind == PenetrationKind::edge) {
+    end = other_end(model.mesh, NodeIndex{*found}, record, model.mesh.nodes.x);
+    if (end == none<NodeIndex>) return std::nullopt;
+  }
+  return Key{record.contact, *found, end.value, record.segment};
+}
+
 Gap* Gaps::find(const model::Model& model, const Penetration& record) {
-  const auto node = model.mesh.nodes.lookup.find(record.node);
-  if (!node) return nullptr;
-  const auto found = position_.find(Key{record.contact, *node, record.segment});
+  const auto key = key_of(model, record);
+  const auto found = key ? position_.find(*key) : position_.end();
+  return found == position_.end() ? nullptr : &gaps_[found->second];
+}
+
+Gap* Gaps::find(const WallHit& hit) {
+  const auto found = position_.find(wall_key(hit));
   return found == position_.end() ? nullptr : &gaps_[found->second];
 }
 

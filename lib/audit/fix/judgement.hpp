@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/fix/wall_hits.hpp"
 #include "contact/initial.hpp"
 #include "records/fix.hpp"
 
@@ -14,6 +15,8 @@ namespace gapcheck::audit {
 struct Judgement {
   contact::InitialState state;            ///< without its summaries of contacts, of which these are enough:
   std::vector<FixContact::State> counts;  ///< by contact
+  std::vector<std::uint64_t> edges;       ///< by contact: edges that penetrate, in types 26
+  std::vector<WallHit> walls;             ///< nodes in rigid walls
   std::map<ContactIndex, std::string> not_checked;
   std::uint64_t penetrating = 0;  ///< nodes that a correction has to free
   double depth = 0;               ///< sum of their penetrations
@@ -25,13 +28,22 @@ struct Judgement {
 /// Searches the contacts of a model at different coordinates, which the model has from then on. It must outlive this.
 class ContactJudge {
  public:
-  explicit ContactJudge(model::Model& model) : model_(model) {}
+  /// The model has its first coordinates.
+  explicit ContactJudge(model::Model& model);
   [[nodiscard]] Judgement at(const std::vector<Vector>& x);
   /// On the coordinates judged last.
   [[nodiscard]] contact::SurfaceStore& surfaces() { return *surfaces_; }
 
  private:
+  /// Lines that cross where no thickness of edges counts (GC104, SOFT = 2): as penetrations of edges.
+  void add_crossed_edges(Judgement& now);
+  void count(Judgement& now) const;
+  /// Drops the overlaps that mortar contacts are to press out over time (IGNORE = 3, 4).
+  void leave_fits(Judgement& now) const;
+
   model::Model& model_;
+  WallSearch walls_;
+  std::vector<std::uint8_t> fits_;  ///< by contact
   std::optional<contact::SurfaceStore> surfaces_;
 };
 

@@ -4,8 +4,11 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
+#include "audit/shared/acting_contact.hpp"
 #include "audit/untangle/untangling.hpp"
+#include "contact/crossing/enclosed_bodies.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -65,6 +68,21 @@ std::vector<LeftCrossing> left_crossings(const model::Model& model,
                     b = id_and_part(model, place.elements[1].front());
     list.push_back({place.contact.value, a.part, b.part, a.id, b.id, place.pairs, why_left(place, reason)});
   }
+  return list;
+}
+
+std::vector<EnclosedSolids> enclosed_solids(const model::Model& model) {
+  contact::SurfaceStore surfaces(model);
+  std::vector<ContactIndex> contacts;
+  for (const ContactIndex c : positions<ContactIndex>(model.contacts.size())) contacts.push_back(c);
+  ActingContact acting(model, std::move(contacts),
+                       [&](ContactIndex c) -> const contact::ContactSurfaces& { return surfaces.at(c); });
+  contact::CrossingCounters counters;
+  std::vector<EnclosedSolids> list;
+  for (const contact::EnclosedBody& body : contact::find_enclosed_bodies(
+           model, [&](PartIndex p, PartIndex q) { return acting(p, q); }, {}, counters))
+    list.push_back({body.contact.value, model.part(body.inner).id.value, model.part(body.outer).id.value,
+                    model.mesh.solids.id[body.first_solid], body.solids});
   return list;
 }
 

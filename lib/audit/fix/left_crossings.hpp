@@ -12,4 +12,8 @@ namespace gapcheck::audit {
 [[nodiscard]] std::vector<LeftCrossing> left_crossings(const model::Model& model,
                                                        const std::function<HoldReason(NodeIndex)>& reason);
 
+/// Bodies of solids that lie wholly inside another part that a contact keeps apart (GC105), at the model's present
+/// coordinates.
+[[nodiscard]] std::vector<EnclosedSolids> enclosed_solids(const model::Model& model);
+
 }  // namespace gapcheck::audit

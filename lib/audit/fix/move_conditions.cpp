@@ -6,20 +6,29 @@
 namespace gapcheck::audit {
 namespace {
 
-/// Adds the move of a node relative to that of a segment's point; returns how much they have moved from `start` to `x`.
-double add_terms(MoveCondition& c, NodeIndex node, const model::SegmentNodes& corners,
-                 const std::array<double, 4>& share, const std::vector<Vector>& x, const std::vector<Vector>& start,
-                 const MovingNodes& moving) {
-  const auto move = [&](NodeIndex n) { return c.direction.dot(x[n.value] - start[n.value]); };
-  double sum = move(node);
-  c.add(moving.slot(node), 1);
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (share[i] == 0) continue;
-    c.add(moving.slot(corners[i]), -share[i]);
-    sum -= share[i] * move(corners[i]);
+/// Adds the moves of nodes to a condition, and how much they have moved from `start` to `x`.
+class Terms {
+ public:
+  Terms(MoveCondition& condition, const std::vector<Vector>& x, const std::vector<Vector>& start,
+        const MovingNodes& moving)
+      : condition_(condition), x_(x), start_(start), moving_(moving) {}
+  void add(NodeIndex node, double share) {
+    if (share == 0) return;
+    condition_.add(moving_.slot(node), share);
+    sum_ += share * condition_.direction.dot(x_[node.value] - start_[node.value]);
   }
-  return sum;
-}
+  void subtract(const model::SegmentNodes& corners, const std::array<double, 4>& share) {
+    for (std::size_t i = 0; i < 4; ++i) add(corners[i], -share[i]);
+  }
+  /// How much they have moved.
+  [[nodiscard]] double sum() const { return sum_; }
+
+ private:
+  MoveCondition& condition_;
+  const std::vector<Vector>&x_, &start_;
+  const MovingNodes& moving_;
+  double sum_ = 0;
+};
 
 }  // namespace
 
@@ -39,6 +48,7 @@ bool MoveConditions::add_shapes(const model::Mesh& mesh, const std::vector<Vecto
 void MoveConditions::mark_nodes(std::vector<std::uint8_t>& marked, const JoinedNodes& joined) {
   for (const Gap& gap : gaps_.list()) {
     marked[gap.node.value] = 1;
+    if (gap.kind == GapKind::edges) marked[gap.end.value] = 1;
     for (const NodeIndex n : gap.corners) marked[n.value] = 1;
   }
   for (const ShapeCondition& shape : shapes_)
@@ -72,7 +82,9 @@ MoveConditions::List MoveConditions::at(const std::vector<Vector>& x, const std:
       MoveCondition c;
       c.equal = true;
       c.direction = Vector::Unit(axis);
-      add_terms(c, ties_[i].node, ties_[i].corners, ties_[i].share, x, start, moving);
+      Terms terms(c, x, start, moving);
+      terms.add(ties_[i].node, 1);
+      terms.subtract(ties_[i].corners, ties_[i].share);
       c.multiplier = tie_multipliers_[3 * i + static_cast<std::size_t>(axis)];
       list.all.push_back(c);
     }
@@ -96,8 +108,11 @@ void MoveConditions::add_gaps(List& list, const std::vector<Vector>& x, const st
     const GapState state = measure_gap(gap, x);
     MoveCondition c;
     c.direction = state.direction;
-    c.bound =
-        gap.distance + gap.clearance - state.gap + add_terms(c, gap.node, gap.corners, state.share, x, start, moving);
+    Terms terms(c, x, start, moving);
+    terms.add(gap.node, state.own);
+    if (gap.kind == GapKind::edges) terms.add(gap.end, 1 - state.own);
+    terms.subtract(gap.corners, state.share);
+    c.bound = gap.distance + gap.clearance - state.gap + terms.sum();
     c.multiplier = gap.multiplier;
     if (!state.counts || !std::isfinite(c.bound) || !c.direction.allFinite()) {
       gap.multiplier = 0;

@@ -83,6 +83,7 @@ void MoveSolver::hold_contradicting(const MoveConditions::List& list, std::span<
     if (compliance(list.all[i], mobility) == 0 || !(violation(list.all[i], moves) >= worst / 2)) continue;
     if (freedoms.held(gap.node))
       for (const NodeIndex n : gap.corners) freedoms.hold(n, HoldReason::conflict);
+    if (gap.kind == GapKind::edges) freedoms.hold(gap.end, HoldReason::conflict);
     freedoms.hold(gap.node, HoldReason::conflict);
   }
 }

@@ -130,6 +130,7 @@ void Mover::search(std::uint64_t work) {
       return untangling && untangling->at_crossing(n, segment);
     });
     if (untangling) gaps.add(model_.mesh, untangling->sides(), written);
+    gaps.add(now.walls);
     gaps.give_up(start_.freedoms.joined);
     if (round > slow) gaps.widen(now.deepest);
     worse = now.penetrating > best_.judgement.penetrating ? worse + 1 : 0;
@@ -185,10 +186,12 @@ std::vector<HeldTie> Mover::ties_at(const Judgement& now, const std::vector<Vect
 
 /// True if something penetrates that has not been given up.
 bool Mover::can_open_more(const Judgement& now) {
+  const auto open = [](const Gap* gap) { return gap == nullptr || gap->given_up == HoldReason::none; };
+  for (const WallHit& hit : now.walls)
+    if (open(conditions_.gaps().find(hit))) return true;
   for (const Penetration& record : now.state.penetrations) {
     if (!to_be_fixed(record.kind)) continue;
-    const Gap* gap = conditions_.gaps().find(model_, record);
-    if (gap == nullptr || gap->given_up == HoldReason::none) return true;
+    if (open(conditions_.gaps().find(model_, record))) return true;
   }
   return false;
 }
@@ -228,6 +231,11 @@ std::vector<NodeIndex> Mover::moved() const {
 
 HoldReason Mover::reason(const Penetration& record) {
   const Gap* gap = conditions_.gaps().find(model_, record);
+  return gap == nullptr ? HoldReason::none : gap->given_up;
+}
+
+HoldReason Mover::reason(const WallHit& hit) {
+  const Gap* gap = conditions_.gaps().find(hit);
   return gap == nullptr ? HoldReason::none : gap->given_up;
 }
 

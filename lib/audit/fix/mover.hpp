@@ -41,6 +41,7 @@ class Mover {
   [[nodiscard]] bool onto_tie(NodeIndex node) const { return start_.x[node.value] != start_.deck[node.value]; }
   /// Why a record of after() is still there.
   [[nodiscard]] HoldReason reason(const Penetration& record);
+  [[nodiscard]] HoldReason reason(const WallHit& hit);
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
   /// True if the search ended because it took too much work, not because nothing was left to gain.
   [[nodiscard]] bool cut_short() const { return cut_short_; }

@@ -97,7 +97,7 @@ class Proposer {
 
   std::vector<FixProposal> run() {
     for (const Penetration& p : state_.penetrations)
-      if (to_be_fixed(p.kind))
+      if (listed_by_solver(p.kind))
         pairs_[{ContactIndex{p.contact}, std::min(p.part, p.element_part), std::max(p.part, p.element_part)}].push_back(
             p);
     for (const auto& [key, records] : pairs_) ++pairs_of_contact_[std::get<0>(key)];

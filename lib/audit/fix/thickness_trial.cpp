@@ -83,7 +83,7 @@ double ThicknessTrial::free_optt(ContactIndex contact, std::int64_t a, std::int6
   };
   const auto others = [&](std::span<const Penetration> some) {
     return std::count_if(some.begin(), some.end(),
-                         [&](const Penetration& p) { return to_be_fixed(p.kind) && !between(p, a, b); });
+                         [&](const Penetration& p) { return listed_by_solver(p.kind) && !between(p, a, b); });
   };
   FreeThickness bound = limit(records);
   for (int i = 0; i < searches; ++i) {
@@ -94,7 +94,7 @@ double ThicknessTrial::free_optt(ContactIndex contact, std::int64_t a, std::int6
     const auto found = records_of(state, contact);
     std::vector<Penetration> left;
     for (const Penetration& p : found)
-      if (to_be_fixed(p.kind) && between(p, a, b)) left.push_back(p);
+      if (listed_by_solver(p.kind) && between(p, a, b)) left.push_back(p);
     if (left.empty()) return others(found) <= others(all) ? thickness : 0;
     bound = limit(left);
   }

@@ -183,6 +183,7 @@ std::vector<RepairPair> list_repairs(model::Model& model, const contact::Initial
     if (const auto known = proposed.find(pair.parts); known != proposed.end()) {
       add_alternatives(std::move(known->second), pair);
     } else {
+      pair.repairs.push_back(moving(pair));
       add_thicknesses(model, position, found, pairs_of_contact[key.first] == 1, pair);
       if (two_parts) pair.repairs.push_back(excluding(pair));
     }

@@ -25,4 +25,10 @@ inline constexpr double crossed_edge_tolerance = 1e-5;
                                                            const ContactSurfaces& surfaces,
                                                            const CrossingOptions& options, CrossingCounters& counters);
 
+/// The same as penetrations of edges at their contact distance: what they lack until they are clear of each other. One
+/// for each node that is the nearest end of a crossed edge.
+[[nodiscard]] std::vector<Penetration> crossed_edge_records(const model::Model& model, ContactIndex contact,
+                                                            const ContactSurfaces& surfaces,
+                                                            const CrossingOptions& options, CrossingCounters& counters);
+
 }  // namespace gapcheck::contact

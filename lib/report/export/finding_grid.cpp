@@ -79,6 +79,7 @@ class FindingGrid {
     grid_.point_data = {{"depth", 1, std::move(points_.depth)},
                         {.name = "remaining", .values = std::move(points_.remaining), .gaps = true},
                         {"way_out", 3, std::move(points_.way_out)}};
+    if (!report_.moves.empty()) grid_.point_data.push_back({"move", 3, moves()});
     grid_.point_ids = {{"node", std::move(points_.node)},
                        {"contact", std::move(points_.contact)},
                        {"outcome", std::move(points_.outcome)},
@@ -93,6 +94,18 @@ class FindingGrid {
   }
 
  private:
+  /// From each point to where its node goes.
+  [[nodiscard]] std::vector<double> moves() const {
+    std::vector<double> list(3 * grid_.points.size(), 0.0);
+    for (std::size_t p = 0; p < grid_.points.size(); ++p) {
+      const auto move = std::lower_bound(report_.moves.begin(), report_.moves.end(), points_.node[p],
+                                         [](const NodeMove& m, std::int64_t node) { return m.node < node; });
+      if (move == report_.moves.end() || move->node != points_.node[p] || !move->to.allFinite()) continue;
+      for (std::size_t k = 0; k < 3; ++k) list[3 * p + k] = move->to[static_cast<int>(k)] - grid_.points[p][k];
+    }
+    return list;
+  }
+
   /// Only nodes and elements that findings name are looked up later.
   void find_named() {
     for (const Penetration& record : report_.penetrations) {

@@ -38,9 +38,27 @@ void contacts(const FixReport& report, std::string& out) {
                number(c.after.deepest)};
       },
       "  ", out);
-  for (const FixContact& c : report.contacts)
-    for (const std::string* why : {&c.not_checked, &c.why_untreated})
-      if (!why->empty()) out += fmt::format("  contact {}: {}\n", c.id, printable(*why));
+  for (const FixContact& c : report.contacts) {
+    if (!c.not_checked.empty()) out += fmt::format("  contact {}: {}\n", c.id, printable(c.not_checked));
+    if (c.edges_before > 0 || c.edges_after > 0)
+      out += fmt::format("  contact {}: {} in others before, {} after\n", c.id, plural(c.edges_before, "edge"),
+                         c.edges_after);
+  }
+}
+
+void walls(const FixReport& report, std::string& out) {
+  if (report.walls.empty()) return;
+  constexpr std::array<Column, 5> columns{
+      {{"rigid wall"}, {"nodes before"}, {"deepest"}, {"nodes after"}, {"deepest"}}};
+  out += "\n";
+  append_table(
+      columns, report.walls.size(),
+      [&](std::size_t i, Row<5>& row) {
+        const FixWall& wall = report.walls[i];
+        row = {std::to_string(wall.id), std::to_string(wall.before.penetrations), number(wall.before.deepest),
+               std::to_string(wall.after.penetrations), number(wall.after.deepest)};
+      },
+      "  ", out);
 }
 
 void moves(const FixReport& report, std::size_t top, std::string& out) {
@@ -76,25 +94,27 @@ void remaining(const FixReport& report, std::size_t top, std::string& out) {
   if (report.separated_ties_before > 0)
     out += fmt::format("\ntied nodes off their segments: {} before, {} after\n", report.separated_ties_before,
                        report.separated_ties_after);
-  if (report.unfixed.empty()) return;
-  out += fmt::format("\n{} not freed by any movement\n", plural(report.unfixed.size(), "node"));
-  const std::size_t count = std::min(top, report.unfixed.size());
+  if (penetrating_after(report) == 0) return;
+  out += fmt::format("\n{} not freed by any movement\n", plural(penetrating_after(report), "node"));
+  std::vector<std::pair<std::string, const UnfixedNode*>> list;
+  for (const UnfixedNode& node : report.unfixed)
+    list.emplace_back(std::to_string(report.contacts[node.contact].id), &node);
+  for (const FixWall& wall : report.walls)
+    for (const UnfixedNode& node : wall.unfixed) list.emplace_back(fmt::format("wall {}", wall.id), &node);
+  const std::size_t count = std::min(top, list.size());
   if (count == 0) return;
   constexpr std::array<Column, 6> columns{
       {{"contact"}, {"node"}, {"element"}, {"penetration"}, {"why", Align::left}, {"line", Align::left}}};
   append_table(
       columns, count,
       [&](std::size_t i, Row<6>& row) {
-        const UnfixedNode& node = report.unfixed[i];
-        row = {std::to_string(report.contacts[node.contact].id),
-               std::to_string(node.node),
-               std::to_string(node.element),
-               number(node.depth),
-               std::string(words(node.reason)),
-               file_and_line(report, node.file, node.line)};
+        const UnfixedNode& node = *list[i].second;
+        row = {
+            list[i].first,      std::to_string(node.node),       node.element == 0 ? "-" : std::to_string(node.element),
+            number(node.depth), std::string(words(node.reason)), file_and_line(report, node.file, node.line)};
       },
       "  ", out);
-  if (report.unfixed.size() > count) out += fmt::format("  {} more\n", report.unfixed.size() - count);
+  if (list.size() > count) out += fmt::format("  {} more\n", list.size() - count);
 }
 
 void crossings(const FixReport& report, std::size_t top, std::string& out) {
@@ -107,6 +127,18 @@ void crossings(const FixReport& report, std::size_t top, std::string& out) {
   }
   if (report.crossings.size() > count)
     out += fmt::format("  {} more\n", plural(report.crossings.size() - count, "such place"));
+}
+
+void enclosed(const FixReport& report, std::size_t top, std::string& out) {
+  if (report.enclosed.empty()) return;
+  out += "\nsolids that lie wholly inside another part: cut out their space there, exclude the pair or move them\n";
+  const std::size_t count = std::min(top, report.enclosed.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const EnclosedSolids& body = report.enclosed[i];
+    out += fmt::format("  contact {}, {} of {} in {}, from solid {} on\n", report.contacts[body.contact].id,
+                       plural(body.solids, "solid"), part_name(body.part), part_name(body.outer_part), body.element);
+  }
+  if (report.enclosed.size() > count) out += fmt::format("  {} more\n", report.enclosed.size() - count);
 }
 
 void proposals(const FixReport& report, std::size_t top, std::string& out) {
@@ -134,20 +166,6 @@ void proposals(const FixReport& report, std::size_t top, std::string& out) {
     out += fmt::format("  {} more\n", plural(report.proposals.size() - count, "pair"));
 }
 
-std::string last_line(const FixReport& report) {
-  const std::uint64_t left_alone = untreated(report);
-  const std::string_view run = report.proof ? verdict(*report.proof) : "";
-  std::uint64_t before = 0;
-  for (const FixContact& c : report.contacts) before += c.before.penetrations + c.before.released + c.edges_before;
-  return fmt::format(
-      "{} penetrating before, {} after{}{}; {} moved in {}{}{}\n", plural(before, "node"),
-      report.unfixed.size() + left_alone,
-      left_alone > 0 ? fmt::format(" ({} of segments or edges, which are not corrected)", left_alone) : "",
-      report.crossings_after > 0 ? fmt::format(", {} of elements cross", plural(report.crossings_after, "pair")) : "",
-      plural(report.moved.size(), "node"), plural(report.changed.size(), "file"),
-      report.dry_run ? "; nothing was written" : "", run);
-}
-
 Json vector_json(const Vector& x) { return Json::array({x.x(), x.y(), x.z()}); }
 
 Json state_json(const FixContact::State& state) {
@@ -168,7 +186,6 @@ Json fix_contact_json(const FixContact& c) {
   json["after"] = state_json(c.after);
   if (c.by_segments) json["by_segments"] = true;
   if (c.edges_before > 0 || c.edges_after > 0) json["edges"] = {{"before", c.edges_before}, {"after", c.edges_after}};
-  if (!c.why_untreated.empty()) json["not_corrected"] = c.why_untreated;
   return json;
 }
 
@@ -177,6 +194,23 @@ Json moved_json(const FixReport& report, const MovedNode& node) {
       {"node", node.node}, {"from", vector_json(node.from)}, {"to", vector_json(node.to)}, {"move", node.distance()}};
   if (node.onto_tie) json["onto_tie"] = true;
   place_json(report, node.file, node.line, json);
+  return json;
+}
+
+Json wall_json(const FixReport& report, const FixWall& wall) {
+  Json json{{"id", wall.id}};
+  if (!wall.title.empty()) json["title"] = wall.title;
+  const auto state = [](const FixContact::State& s) {
+    return Json{{"penetrations", s.penetrations}, {"max_penetration", s.deepest}};
+  };
+  json["before"] = state(wall.before);
+  json["after"] = state(wall.after);
+  json["unfixed"] = Json::array();
+  for (const UnfixedNode& node : wall.unfixed) {
+    Json one{{"node", node.node}, {"penetration", node.depth}, {"reason", name(node.reason)}};
+    place_json(report, node.file, node.line, one);
+    json["unfixed"].push_back(std::move(one));
+  }
   return json;
 }
 
@@ -218,17 +252,29 @@ Json proposal_json(const FixProposal& p) {
 
 }  // namespace
 
+std::string said_of(const FixReport& report) {
+  const std::string_view run = report.proof ? verdict(*report.proof) : "";
+  return fmt::format(
+      "{} penetrating before, {} after{}; {} moved in {}{}{}", plural(penetrating_before(report), "node"),
+      penetrating_after(report),
+      report.crossings_after > 0 ? fmt::format(", {} of elements cross", plural(report.crossings_after, "pair")) : "",
+      plural(report.moved.size(), "node"), plural(report.changed.size(), "file"),
+      report.dry_run ? "; nothing was written" : "", run);
+}
+
 std::string fix_text(const FixReport& report, const FixTextOptions& options) {
   std::string out;
   if (!options.quiet) {
     out = fmt::format("{}\n\n", printable_path(report.input));
     contacts(report, out);
+    walls(report, out);
     moves(report, options.top, out);
     remaining(report, options.top, out);
     if (report.crossings_before > 0 || report.crossings_after > 0)
       out += fmt::format("\npairs of elements that cross: {} before, {} after\n", report.crossings_before,
                          report.crossings_after);
     crossings(report, options.top, out);
+    enclosed(report, options.top, out);
     if (report.proof) append_proof(*report.proof, out);
     proposals(report, options.top, out);
     if (!report.notes.empty()) out += "\n";
@@ -239,17 +285,25 @@ std::string fix_text(const FixReport& report, const FixTextOptions& options) {
                          file.written.empty() ? "" : ", written to " + printable(file.written));
     out += "\n";
   }
-  return out + last_line(report);
+  return out + said_of(report) + "\n";
 }
 
 std::string fix_json(const FixReport& report) {
   Json json{{"schema", "gapcheck-fix/1"}, {"input", report.input}, {"dry_run", report.dry_run}};
-  for (const char* list : {"contacts", "moved", "unfixed", "crossings", "proposals", "files", "notes"})
+  for (const char* list :
+       {"contacts", "walls", "moved", "unfixed", "crossings", "enclosed", "proposals", "files", "notes"})
     json[list] = Json::array();
   for (const FixContact& c : report.contacts) json["contacts"].push_back(fix_contact_json(c));
+  for (const FixWall& wall : report.walls) json["walls"].push_back(wall_json(report, wall));
   for (const MovedNode& node : report.moved) json["moved"].push_back(moved_json(report, node));
   for (const UnfixedNode& node : report.unfixed) json["unfixed"].push_back(unfixed_json(report, node));
   for (const LeftCrossing& c : report.crossings) json["crossings"].push_back(crossing_json(report, c));
+  for (const EnclosedSolids& body : report.enclosed)
+    json["enclosed"].push_back({{"contact", report.contacts[body.contact].id},
+                                {"part", body.part},
+                                {"outer_part", body.outer_part},
+                                {"element", body.element},
+                                {"solids", body.solids}});
   for (const FixProposal& p : report.proposals) json["proposals"].push_back(proposal_json(p));
   for (const FixedFile& file : report.changed) {
     json["files"].push_back({{"path", file.path}, {"lines", file.lines}});

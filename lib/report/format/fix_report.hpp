@@ -14,6 +14,9 @@ struct FixTextOptions {
 /// The text report of a correction: contacts before and after, moves, what remains and what else could be done.
 [[nodiscard]] std::string fix_text(const FixReport& report, const FixTextOptions& options);
 
+/// The last line of the text: "18 nodes penetrating before, 0 after; …", without its end.
+[[nodiscard]] std::string said_of(const FixReport& report);
+
 /// The same as JSON, schema `gapcheck-fix/1`, complete.
 [[nodiscard]] std::string fix_json(const FixReport& report);
 

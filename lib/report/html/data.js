@@ -75,10 +75,10 @@ const severities = ["note", "warning", "error"];
 function readData() {
   const data = JSON.parse(document.getElementById("data").textContent);
   const picture = data.picture;
-  for (const name of ["positions", "vectors", "points", "outline_points"])
+  for (const name of ["positions", "vectors", "points", "outline_points", "moved_to"])
     picture[name] = new Float32Array(bytesOf(picture[name] || ""));
   for (const name of ["faces", "outline"]) picture[name] = unpacked(picture[name] || "");
-  for (const name of ["node_points", "corners", "elements", "thickness_faces"])
+  for (const name of ["node_points", "corners", "elements", "thickness_faces", "moved_points"])
     picture[name] = new Uint32Array(bytesOf(picture[name] || ""));
   picture.point_depths = new Uint8Array(bytesOf(picture.point_depths || ""));
   picture.thickness = thicknesses(picture);

@@ -55,6 +55,7 @@ void add_head(const Report& report, const HtmlOptions& options, std::size_t show
   data.integer("found", report.penetrations.size() + report.tie_failures.size() + report.findings.size() +
                             report.ignored.size());
   data.integer("ignored", report.ignored.size());
+  data.string("moves", report.said_of_moves);
   data.string("baseline", report.baseline ? summary(*report.baseline) : "");
   const ModelCounts& m = report.model;
   data.object("model", [&](Members& object) {

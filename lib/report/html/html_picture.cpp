@@ -108,6 +108,24 @@ void add_depths(const SceneMesh& scene, const Report& report, Members& object) {
   object.number("deepest", deepest);
 }
 
+/// The points of nodes that move, and where they go.
+void add_moves(const SceneMesh& scene, const Report& report, Members& object) {
+  if (report.moves.empty()) return;
+  std::vector<std::array<std::uint32_t, 1>> points;
+  std::vector<std::array<float, 3>> places;
+  for (std::uint32_t p = 0; p < std::min(scene.points.size(), scene.point_nodes.size()); ++p) {
+    const auto move = std::lower_bound(report.moves.begin(), report.moves.end(), scene.point_nodes[p],
+                                       [](const NodeMove& m, std::int64_t node) { return m.node < node; });
+    if (move == report.moves.end() || move->node != scene.point_nodes[p]) continue;
+    const auto place = local(move->to, scene.origin);
+    if (!(std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]))) continue;
+    points.push_back({p});
+    places.push_back(place);
+  }
+  object.raw("moved_points", binary(points));
+  object.raw("moved_to", binary(places));
+}
+
 /// Elements and contact thicknesses of the faces, as runs of equal or consecutive ones.
 void add_elements(const SceneMesh& scene, Members& object) {
   object.raw("elements", binary(id_runs(scene.face_elements)));
@@ -179,6 +197,7 @@ std::string picture_json(const Report& report, const std::vector<HtmlFinding>& f
     object.raw("points", binary(scene->points));
     object.raw("faces", packed(scene->faces));
     add_elements(*scene, object);
+    add_moves(*scene, report, object);
     object.raw("outline_points", binary(scene->outline_points));
     object.raw("outline", packed(scene->outline));
     object.integer("model_faces", scene->model_faces);

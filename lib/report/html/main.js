@@ -15,7 +15,7 @@ function showHead(data) {
   const present = Object.entries(data.model).filter((entry) => entry[1] > 0);
   const kinds = present.map(([kind, count]) => counted(count, kind.slice(0, -1)));
   byId("model").textContent =
-      [kinds.join(", "), data.solver, data.termination, data["run title"]].filter(Boolean).join(" · ");
+      [data.moves, kinds.join(", "), data.solver, data.termination, data["run title"]].filter(Boolean).join(" · ");
   byId("made").textContent =
       `gapcheck ${data.version}. Lengths in the deck's unit. This page loads nothing from anywhere.`;
 }

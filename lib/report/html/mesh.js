@@ -54,6 +54,18 @@ function thinRows(faces, ends) {
   return new Uint32Array(corners);
 }
 
+/** Puts the points that move at a share of their way: 0 before, 1 after, more than 1 exaggerates. */
+function makeMover(picture) {
+  const from = new Float32Array(picture.moved_to.length);
+  picture.moved_points.forEach((point, i) => from.set(picture.points.subarray(3 * point, 3 * point + 3), 3 * i));
+  return (share) => picture.moved_points.forEach((point, i) => {
+    for (let axis = 0; axis < 3; ++axis) {
+      const at = 3 * i + axis;
+      picture.points[3 * point + axis] = from[at] + share * (picture.moved_to[at] - from[at]);
+    }
+  });
+}
+
 function makeMesh(picture, look) {
   const points = new THREE.BufferAttribute(picture.points, 3);
   const colors = new Uint8Array(picture.points.length);
@@ -85,8 +97,13 @@ function makeMesh(picture, look) {
     polygonOffsetUnits: 1,
   }), look, true));
   const thin = {vertexColors: THREE.VertexColors};
+  const move = makeMover(picture);
   const made = {
     faces,
+    moveTo(share) {
+      move(share);
+      points.needsUpdate = true;
+    },
     lines: new THREE.LineSegments(
         lines, useLook(new THREE.LineBasicMaterial({transparent: true, opacity: 0.5}), look, false)),
     beams: new THREE.LineSegments(beams, useLook(new THREE.LineBasicMaterial(thin), look, true)),

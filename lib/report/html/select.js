@@ -70,6 +70,14 @@ function makeSelection({data, mesh, markers, look, canvas, redraw, looked}) {
         isolated = on;
       }),
     ],
+    /** What is highlighted and coated follows the points. */
+    again() {
+      const [was, before] = [chosen, near];
+      if (was < 0) return;
+      select(was);
+      near = before;
+      apply();
+    },
     /** Nothing fades or is cut until a finding is selected again. */
     leave() {
       near = false;

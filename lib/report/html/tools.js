@@ -1,6 +1,6 @@
 // The tools above the picture, the list of its parts, and what it does not show.
 
-function makeTools({mesh, markers, selection, redraw, fitModel, fitFindings, hasMesh}) {
+function makeTools({mesh, markers, selection, redraw, fitModel, fitFindings, hasMesh, hasMoves}) {
   const button = (text, act) => {
     const made = element("button", {type: "button"}, text);
     made.addEventListener("click", act);
@@ -25,7 +25,14 @@ function makeTools({mesh, markers, selection, redraw, fitModel, fitFindings, has
     mesh.faces.material.depthWrite = opacity === 1;
     redraw();
   });
+  const nodes = selectOf("Nodes", [["0", "before"], ...[1, 2, 5, 10, 50, 100].map((f) => [f, f === 1 ? "after" : `after, moves × ${f}`])]);
+  nodes.addEventListener("change", () => {
+    mesh.moveTo(Number(nodes.value));
+    selection.again();
+    redraw();
+  });
   const tools = byId("tools");
+  if (hasMoves) tools.append(nodes);
   tools.append(button("Model", fitModel), button("Findings", fitFindings), factor);
   if (hasMesh)
     tools.append(

@@ -182,7 +182,8 @@ function makeView(data, pressed) {
     redraw,
     fitModel: () => overview(first),
     fitFindings: () => overview(findingsBox()),
-    hasMesh: picture.faces.length > 0
+    hasMesh: picture.faces.length > 0,
+    hasMoves: picture.moved_points.length > 0
   });
   makeParts(picture, mesh, redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paint);

@@ -42,7 +42,7 @@ TEST(Gaps, BesideAnEdgeTheWayLeadsAwayFromIt) {
 // A beam counts up to a quarter of its length beyond its ends, as segments do.
 TEST(Gaps, BeamsCountUpToTheEndOfTheirBand) {
   Gap gap = gap_over_square();
-  gap.line = true;
+  gap.kind = audit::GapKind::line;
   gap.corners = {NodeIndex{0}, NodeIndex{1}, NodeIndex{1}, NodeIndex{1}};
   const auto counts = [&](double x) {
     std::vector<Vector> at = corners;
@@ -62,7 +62,7 @@ TEST(Gaps, ThicknessAndMidSurfacesShift) {
 
 TEST(Gaps, BeamAxesAreLeftAlongTheShortestWay) {
   Gap gap = gap_over_square();
-  gap.line = true;
+  gap.kind = audit::GapKind::line;
   gap.corners = {NodeIndex{0}, NodeIndex{1}, NodeIndex{1}, NodeIndex{1}};
   std::vector<Vector> x = corners;
   x[4] = {0.25, 0, 0.1};

@@ -69,6 +69,24 @@ TEST(FindingGrid, RecordsAtNodesAndElements) {
   EXPECT_EQ(ids(grid.point_ids, "outcome")[other], 0);
 }
 
+TEST(FindingGrid, WhereNodesGo) {
+  Report report = sample_report();
+  report.mesh = two_shells();
+  const auto names = [](const VtuGrid& grid) {
+    return std::count_if(grid.point_data.begin(), grid.point_data.end(),
+                         [](const VtuArray& a) { return a.name == "move"; });
+  };
+  EXPECT_EQ(names(finding_grid(report, nowhere)), 0) << "nothing moves";
+  report.moves = {{14, Vector(10, 20.5, 0.1)}, {22164, Vector(1, 0, -2)}, {30000, Vector(1, 1, 1)}};
+  const VtuGrid grid = finding_grid(report, nowhere);
+  const std::vector<double>& move = numbers(grid.point_data, "move");
+  ASSERT_EQ(move.size(), 3 * grid.points.size());
+  const std::size_t a = point_of(grid, 14), b = point_of(grid, 22164), still = point_of(grid, 99);
+  EXPECT_EQ(std::vector(move.begin() + 3 * a, move.begin() + 3 * a + 3), (std::vector<double>{0, 0.5, 0}));
+  EXPECT_EQ(std::vector(move.begin() + 3 * b, move.begin() + 3 * b + 3), (std::vector<double>{0, 0, -2}));
+  EXPECT_EQ(std::vector(move.begin() + 3 * still, move.begin() + 3 * still + 3), (std::vector<double>{0, 0, 0}));
+}
+
 TEST(FindingGrid, TheDeepestOfANode) {
   Report report = sample_report();
   for (Penetration& record : report.penetrations) record.node = 14;

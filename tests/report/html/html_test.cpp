@@ -234,6 +234,25 @@ TEST(Html, FindingsKnowTheirPointsOfTheMesh) {
             packed_differences(std::vector<std::uint32_t>{0, 1, 2, 3, 5, 6, 7, 4, 8, 9, 4, 4}));
 }
 
+TEST(Html, PointsOfNodesThatMove) {
+  Report report = sample_report();
+  SceneMesh& scene = report.scene.emplace();
+  scene.origin = Vector(1, 0, 0);
+  scene.parts = {{1, "", 0, 1}};
+  scene.points.resize(5);
+  scene.point_nodes = {14, 1, 2, 3, 14};
+  scene.faces = {{0, 1, 2, 3}};
+  scene.face_elements = {50};
+  scene.face_thickness = {1};
+  EXPECT_FALSE(data_of(report)["picture"].contains("moved_points"));
+  report.moves = {{2, Vector(4, 5, 6)}, {9, Vector(0, 0, 0)}, {14, Vector(1, 2, 3)}};
+  report.said_of_moves = "3 nodes <moved>";
+  const nlohmann::json data = data_of(report);
+  EXPECT_EQ(integers(data["picture"]["moved_points"]), (std::vector<std::uint32_t>{0, 2, 4}));
+  EXPECT_EQ(floats(data["picture"]["moved_to"]), (std::vector<float>{0, 2, 3, 3, 5, 6, 0, 2, 3}));
+  EXPECT_EQ(data["moves"], "3 nodes <moved>");
+}
+
 TEST(Html, NumbersOfFindingsAreThoseOfTheReport) {
   const Report report = random_report(500, 3, 1);
   HtmlOptions with = options();

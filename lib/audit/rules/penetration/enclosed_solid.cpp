@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <map>
-
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/acting_contact.hpp"
 #include "audit/shared/element_text.hpp"
 #include "audit/shared_results.hpp"
 #include "contact/crossing/enclosed_bodies.hpp"
@@ -13,57 +12,13 @@ namespace {
 
 using contact::EnclosedBody;
 
-/// Parts with solid faces on the two sides of a contact, as masks over Model::parts.
-struct SolidParts {
-  std::vector<bool> a, b;
-};
-
-std::vector<bool> solid_parts(const model::Model& model, const contact::Segments& segments) {
-  std::vector<bool> mask(model.parts.size(), false);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (segments.element_kind[i] != model::ElementKind::solid) continue;
-    const PartIndex part = contact::part_of(model.mesh, segments, i);
-    if (part != none<PartIndex>) mask[part.value] = true;
-  }
-  return mask;
-}
-
-/// Which contact acts on two parts; reads the contacts on the first call.
-class ActingContact {
- public:
-  explicit ActingContact(Context& context) : context_(context) {}
-
-  ContactIndex operator()(PartIndex p, PartIndex q) {
-    const model::Model& model = context_.model();
-    for (const ContactIndex i : context_.contacts()) {
-      if (contact::classify(model.contact(i)).pairing == contact::Pairing::none) continue;
-      const SolidParts& parts = solids(i);
-      const bool acts = (parts.a[p.value] && parts.b[q.value]) || (parts.a[q.value] && parts.b[p.value]);
-      if (acts && contact::CrossingPairs(model, model.contact(i).id).counts(p, q)) return i;
-    }
-    return none<ContactIndex>;
-  }
-
- private:
-  const SolidParts& solids(ContactIndex i) {
-    const auto known = parts_.find(i);
-    if (known != parts_.end()) return known->second;
-    const contact::ContactSurfaces& s = context_.surfaces(i);
-    SolidParts parts{solid_parts(context_.model(), s.a.selection.segments), {}};
-    parts.b = s.two_sided() ? solid_parts(context_.model(), s.b.selection.segments) : parts.a;
-    return parts_.emplace(i, std::move(parts)).first->second;
-  }
-
-  Context& context_;
-  std::map<ContactIndex, SolidParts> parts_;
-};
-
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   contact::CrossingOptions options;
   options.mode = context.options().exact ? geometry::Mode::exact : geometry::Mode::filtered;
   options.search = context.options().brute_force ? contact::BoxSearch::brute_force : contact::BoxSearch::tree;
-  ActingContact acting(context);
+  ActingContact acting(
+      model, context.contacts(), [&](ContactIndex c) -> auto& { return context.surfaces(c); });
   const std::vector<EnclosedBody> bodies = contact::find_enclosed_bodies(
       model, [&](PartIndex p, PartIndex q) { return acting(p, q); }, options, context.results().crossing_counters());
   std::vector<Found> found;

@@ -1,0 +1,45 @@
+#include "fix/before_after.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "audit/audit.hpp"
+#include "base/file_writer.hpp"
+#include "options.hpp"
+#include "report/export/finding_grid.hpp"
+
+namespace gapcheck::app {
+
+void add_before_after(CLI::App& command, BeforeAfter& files) {
+  command.add_option("--html", files.html, "Write a page for a browser: the mesh before and after, and the findings")
+      ->type_name("FILE");
+  command.add_option("--vtu", files.vtu, "Write the mesh with the moves and the findings for ParaView")
+      ->type_name("FILE");
+}
+
+std::vector<PlannedOutput> planned_outputs(const BeforeAfter& files) {
+  return {{"--html", files.html}, {"--vtu", files.vtu}};
+}
+
+Status write(const BeforeAfter& files, const std::string& deck, const keyword::ReadOptions& read,
+             std::vector<NodeMove> moves, std::string said) {
+  if (files.html.empty() && files.vtu.empty()) return {};
+  audit::AuditOptions options;
+  options.read = read;
+  options.select = {"GC1", "GC2"};
+  options.scene = !files.html.empty();
+  options.mesh = !files.vtu.empty();
+  Diagnostics repeated;  // the deck was read before
+  auto report = audit::audit_deck(deck, options, repeated);
+  if (!report) return report.error();
+  report.value().moves = std::move(moves);
+  std::sort(report.value().moves.begin(), report.value().moves.end(),
+            [](const NodeMove& a, const NodeMove& b) { return a.node < b.node; });
+  report.value().said_of_moves = std::move(said);
+  OutputOptions page;
+  page.html = files.html;
+  if (Status written = write_page(report.value(), page, {}); !written.ok() || files.vtu.empty()) return written;
+  return write_file(files.vtu, report::vtu(report::finding_grid(report.value(), {})));
+}
+
+}  // namespace gapcheck::app
