@@ -212,11 +212,17 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
     one->run();
     return one;
   };
-  // Without crossings both do the same; where nothing can be untangled, nodes keep to their sides.
-  const bool untangle = options.untangle && !options.recommended;
-  std::unique_ptr<Mover> first = moved_by(untangle ? Mover::Crossings::untangle : Mover::Crossings::stay);
-  if (untangle && first->crossings_before() > 0 && !first->has_untangled()) first = moved_by(Mover::Crossings::stay);
-  Mover& mover = *first;
+  // Shallow crossings part while nodes keep to their sides, and with less movement. Where that is not enough, and
+  // nothing can be untangled either, it is still the better result.
+  std::unique_ptr<Mover> chosen = moved_by(Mover::Crossings::stay);
+  if (options.untangle && !options.recommended && chosen->crossings_after() > 0) {
+    std::unique_ptr<Mover> untangled = moved_by(Mover::Crossings::untangle);
+    if (untangled->has_untangled())
+      chosen = std::move(untangled);
+    else
+      chosen->show();
+  }
+  Mover& mover = *chosen;
   const std::vector<NodeIndex> moved = mover.moved();
   report.crossings_before = mover.crossings_before();
   report.crossings_after = mover.crossings_after();

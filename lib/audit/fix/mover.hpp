@@ -31,6 +31,9 @@ class Mover {
   Mover& operator=(const Mover&) = delete;
   void run();
 
+  /// Gives the model these coordinates again, after it had others.
+  void show() { model_.mesh.nodes.x = best_.written; }
+
   [[nodiscard]] const Judgement& before() const { return before_; }
   /// At the best coordinates found, which the model now has.
   [[nodiscard]] const Judgement& after() const { return best_.judgement; }

@@ -5,9 +5,12 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "audit/fix/element_bounds.hpp"
 #include "audit/fix/freedoms.hpp"
 #include "audit/fix/run_fix.hpp"
+#include "audit/untangle/crossing_pairs.hpp"
 #include "base/quad.hpp"
+#include "contact/initial.hpp"
 #include "contact/surface/contact_surfaces.hpp"
 #include "geometry/closest_point.hpp"
 
@@ -103,6 +106,7 @@ Eigen::VectorXd complementary(const Eigen::MatrixXd& k, const Eigen::VectorXd& b
 
 struct Movement {
   double largest = 0, weighted = 0;
+  std::vector<Vector> moves;
 };
 
 Movement optimum(const std::vector<Row>& rows, const std::vector<Vector>& mobility) {
@@ -124,15 +128,44 @@ Movement optimum(const std::vector<Row>& rows, const std::vector<Vector>& mobili
   const Eigen::VectorXd m = complementary(k, b);
   const Eigen::VectorXd u = free.cwiseProduct(a.transpose() * m);
   Movement movement;
-  for (Eigen::Index i = 0; i < u.size(); i += 3) movement.largest = std::max(movement.largest, u.segment<3>(i).norm());
+  for (Eigen::Index i = 0; i < u.size(); i += 3) {
+    movement.moves.emplace_back(u.segment<3>(i));
+    movement.largest = std::max(movement.largest, movement.moves.back().norm());
+  }
   movement.weighted = m.dot(k * m);
   return movement;
 }
 
-class FixOptimum : public testing::TestWithParam<const char*> {};
+/// Whether the moves, taken a little farther, free the nodes, part the elements and keep their shape: the program knows
+/// neither edges nor shapes, nor how far its linear gaps hold.
+bool is_solution(model::Model model, const std::vector<Vector>& moves) {
+  const std::vector<Vector> deck = model.mesh.nodes.x;
+  audit::ElementBounds bounds(model, deck, {});
+  std::vector<NodeIndex> moved;
+  for (std::uint32_t n = 0; n < moves.size(); ++n) {
+    if (moves[n].isZero()) continue;
+    model.mesh.nodes.x[n] += 1.01 * moves[n];
+    moved.emplace_back(n);
+  }
+  if (!bounds.broken(model.mesh.nodes.x, moved).empty()) return false;
+  contact::SurfaceStore surfaces(model);
+  contact::InitialOptions options;
+  options.nodes_stay = true;
+  contact::InitialCounters counters;
+  return contact::initialise_contacts(model, surfaces, options, counters).penetrations.empty() &&
+         audit::crossing_pairs(model).empty();
+}
+
+/// Where `exists` is false, the optimum of nodes and segments alone would cross edges or spoil the shape of elements.
+struct OptimumScene {
+  const char* name;
+  bool exists = true;
+};
+
+class FixOptimum : public testing::TestWithParam<OptimumScene> {};
 
 TEST_P(FixOptimum, IsReached) {
-  const std::string path = folder + GetParam() + ".k";
+  const std::string path = folder + GetParam().name + ".k";
   const FixRun run = fix_file(path);
   ASSERT_TRUE(complete(run.report()));
   Diagnostics diagnostics;
@@ -143,7 +176,7 @@ TEST_P(FixOptimum, IsReached) {
   std::vector<Row> rows;
   add_rows(after, before.mesh.nodes.x, sides.a, sides.two_sided() ? sides.b : sides.a, rows);
   if (sides.type.treatment == contact::Treatment::two_way) add_rows(after, before.mesh.nodes.x, sides.b, sides.a, rows);
-  ASSERT_GT(rows.size(), 3u);
+  ASSERT_GT(rows.size(), 1u);
   const std::vector<Vector> mobility = audit::find_freedoms(before, {}, {}).mobility;
   const Movement best = optimum(rows, mobility);
   double weighted = 0;
@@ -156,16 +189,23 @@ TEST_P(FixOptimum, IsReached) {
   RecordProperty("largest", fmt::format("{:.4g} of {:.4g}", run.report().largest_move, best.largest));
   RecordProperty("weighted", fmt::format("{:.4g} of {:.4g}", weighted, best.weighted));
   EXPECT_GT(weighted, 0.98 * best.weighted);  // it cannot be less, but for what the deck's digits round off
+  ASSERT_EQ(is_solution(before, best.moves), GetParam().exists);
+  if (!GetParam().exists) return;
   EXPECT_LT(weighted, 1.05 * best.weighted);
   EXPECT_LT(run.report().largest_move, 1.05 * best.largest);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FixOptimum,
-                         testing::Values("plates", "sandwich", "t_joint", "press_fit", "foam", "block_in_block", "bolt",
-                                         "gears", "block_in_sheet", "dome", "corner", "crossed_05", "crossed_15",
-                                         "crossed_30", "crossed_45", "crossed_60", "crossed_90", "crossed_aside",
-                                         "one_way", "three_sheets"),
-                         [](const auto& each) { return std::string(each.param); });
+                         testing::Values(OptimumScene{"plates"}, OptimumScene{"sandwich"}, OptimumScene{"t_joint"},
+                                         OptimumScene{"press_fit"}, OptimumScene{"foam"}, OptimumScene{"bolt"},
+                                         OptimumScene{"dome"}, OptimumScene{"crossed_05"}, OptimumScene{"crossed_15"},
+                                         OptimumScene{"crossed_30"}, OptimumScene{"crossed_45"},
+                                         OptimumScene{"one_way"}, OptimumScene{"three_sheets"},
+                                         OptimumScene{"block_in_block", false}, OptimumScene{"gears", false},
+                                         OptimumScene{"block_in_sheet", false}, OptimumScene{"corner", false},
+                                         OptimumScene{"crossed_60", false}, OptimumScene{"crossed_90", false},
+                                         OptimumScene{"crossed_aside", false}),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace gapcheck::audit_test::optimum_test
