@@ -254,7 +254,7 @@ def soft_2():
 
 
 def mortar():
-    d = Deck("a shallow dome above a plate, 0.4 too near, in a mortar contact")
+    d = Deck("a shallow dome above a plate, 0.35 too near, in a mortar contact")
     d.sheet(flat(), 12, 12)
 
     def place(i, j):
