@@ -38,6 +38,23 @@ TEST_F(FixRepairs, ThePlanWritesNothing) {
             "0 penetrations before, 0 after; nothing changed\n");
 }
 
+TEST_F(FixRepairs, AppliedRepairsAreShownBeforeAndAfter) {
+  const Ended moved = gapcheck("fix data/two_plates.k --apply 1-move --dry-run --html page.html --vtu grid.vtu");
+  EXPECT_EQ(moved.code, 0) << moved.err;
+  EXPECT_NE(content(folder_ / "page.html").find("\"moved_points\""), std::string::npos);
+  EXPECT_NE(content(folder_ / "page.html").find("18 penetrations before, 0 after"), std::string::npos);
+  EXPECT_NE(content(folder_ / "grid.vtu").find("Name=\"move\""), std::string::npos);
+  EXPECT_EQ(gapcheck("fix data/two_plates.k --apply 1-optt --dry-run --html page.html").code, 0);
+  EXPECT_EQ(content(folder_ / "page.html").find("\"moved_points\""), std::string::npos) << "no node moves";
+}
+
+TEST_F(FixRepairs, SegmentsAreMovedToo) {
+  for (const char* name : {"soft2_not_checked", "mortar_not_checked"}) {
+    const Ended planned = gapcheck(std::string("fix data/") + name + ".k --plan");
+    EXPECT_NE(planned.out.find("best: 1-move\n"), std::string::npos) << planned.out;
+  }
+}
+
 // Each repair of the plan, applied, leaves what the plan says.
 TEST_F(FixRepairs, EveryRepairDoesWhatThePlanSays) {
   for (const char* name : {"two_plates", "include_parameter", "thickness_sst", "solid_on_solid"}) {

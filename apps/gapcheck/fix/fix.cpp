@@ -215,8 +215,6 @@ void add_fix(CLI::App& app, Action& action) {
                    arguments->text.quiet);
   add_before_after(*command, arguments->pictures);
   for (const char* page : {"--html", "--vtu"}) command->get_option("--plan")->excludes(command->get_option(page));
-  for (const char* page : {"--html", "--vtu"}) command->get_option("--best")->excludes(command->get_option(page));
-  for (const char* page : {"--html", "--vtu"}) command->get_option("--apply")->excludes(command->get_option(page));
   command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");
   add_settings(*command, arguments->settings);
   add_includes(*command, arguments->read, arguments->missing_includes);

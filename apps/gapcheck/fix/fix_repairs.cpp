@@ -72,7 +72,37 @@ Status verify(const keyword::Deck& deck, const FixArguments& arguments, Repaired
   return {};
 }
 
-Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Repaired& repaired) {
+/// The nodes that have other coordinates in the deck as it is written.
+Result<std::vector<NodeMove>> moves_of(const keyword::Deck& deck, RepairedInput& input,
+                                       const audit::Repaired& repaired) {
+  Diagnostics repeated;  // both were read before
+  const auto model = model::read_model(deck, repeated);
+  if (!model) return model.error();
+  const auto after = input.read(repaired.texts, repeated);
+  if (!after) return after.error();
+  const auto model_after = model::read_model(after.value(), repeated);
+  if (!model_after) return model_after.error();
+  const model::Nodes &nodes = model.value().mesh.nodes, &written = model_after.value().mesh.nodes;
+  std::vector<NodeMove> moves;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (const auto same = written.lookup.find(nodes.id[n]); same && written.x[*same] != nodes.x[n])
+      moves.push_back({nodes.id[n], written.x[*same]});
+  return moves;
+}
+
+/// The deck before and after, if that is asked for.
+Status write_pictures(const keyword::Deck& deck, const FixArguments& arguments, RepairedInput& input,
+                      const audit::Repaired& repaired) {
+  if (arguments.pictures.html.empty() && arguments.pictures.vtu.empty()) return {};
+  auto moves = moves_of(deck, input, repaired);
+  if (!moves) return moves.error();
+  std::string said = report::applied_text(repaired.report, {.quiet = true});
+  if (!said.empty() && said.back() == '\n') said.pop_back();
+  return write(arguments.pictures, arguments.deck, arguments.read, std::move(moves.value()), std::move(said));
+}
+
+Status write(const keyword::Deck& deck, const FixArguments& arguments, RepairedInput& input,
+             audit::Repaired& repaired) {
   AppliedRepairs& report = repaired.report;
   report.input = arguments.deck;
   report.dry_run = arguments.dry_run;
@@ -80,6 +110,7 @@ Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Re
                                     : choose_places(deck, arguments.deck, {"-o", arguments.directory}, report.files);
   if (status.ok()) status = check_fix_report(deck, arguments, report.files);
   if (status.ok() && !arguments.dry_run) status = write_texts(deck, repaired.texts, report.files);
+  if (status.ok()) status = write_pictures(deck, arguments, input, repaired);
   if (!status.ok()) return status;
   return write_report(arguments, arguments.format == "json" ? report::applied_json(report)
                                                             : report::applied_text(report, arguments.text));
@@ -87,7 +118,7 @@ Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Re
 
 int apply(const keyword::Deck& deck, const FixArguments& arguments, RepairedInput& input, audit::Repaired& repaired) {
   Status status = arguments.verify ? verify(deck, arguments, input, repaired) : Status();
-  if (status.ok()) status = write(deck, arguments, repaired);
+  if (status.ok()) status = write(deck, arguments, input, repaired);
   if (!status.ok()) {
     print(status.error());
     return failed;
