@@ -31,7 +31,7 @@ TEST_F(FixProgram, ShowsTheDeckBeforeAndAfter) {
   const std::string before = content(folder_ / "data/two_plates.k");
   const Ended fixed = gapcheck("fix data/two_plates.k --dry-run --html page.html --vtu grid.vtu");
   EXPECT_EQ(fixed.code, 0) << fixed.err;
-  EXPECT_NE(content(folder_ / "page.html").find("\"moved_points\""), std::string::npos);
+  EXPECT_NE(content(folder_ / "page.html").find("\"moved_points\":"), std::string::npos);
   EXPECT_NE(content(folder_ / "grid.vtu").find("Name=\"move\""), std::string::npos);
   for (const char* option : {"--html", "--vtu"}) {
     const Ended over = gapcheck(std::string("fix data/two_plates.k --dry-run ") + option + " data/two_plates.k");

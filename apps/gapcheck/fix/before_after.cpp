@@ -26,7 +26,6 @@ Status write(const BeforeAfter& files, const std::string& deck, const keyword::R
   if (files.html.empty() && files.vtu.empty()) return {};
   audit::AuditOptions options;
   options.read = read;
-  options.select = {"GC1", "GC2"};
   options.scene = !files.html.empty();
   options.mesh = !files.vtu.empty();
   Diagnostics repeated;  // the deck was read before

@@ -19,8 +19,7 @@ void add_before_after(CLI::App& command, BeforeAfter& files);
 /// The outputs that are requested, under their names.
 [[nodiscard]] std::vector<PlannedOutput> planned_outputs(const BeforeAfter& files);
 
-/// Audits the deck for penetrations, crossings and ties, and writes the requested files with the moves. `said`: a
-/// sentence about them for the page.
+/// Audits the deck and writes the requested files with the moves. `said`: a sentence about them for the page.
 [[nodiscard]] Status write(const BeforeAfter& files, const std::string& deck, const keyword::ReadOptions& read,
                            std::vector<NodeMove> moves, std::string said);
 
