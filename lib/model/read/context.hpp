@@ -202,6 +202,11 @@ void read_friction_table(Context& context, const Block& block, const Options& op
 [[nodiscard]] std::optional<DiscreteBeamMaterial> read_discrete_beam(const Context& context, CardReader& reader,
                                                                      const Card& card, std::string_view name);
 
+/// Materials S01 to S05, S07 and S08, from their first card (fields of ten columns by position); nothing for others.
+/// `name`: "SPRING_ELASTIC".
+[[nodiscard]] std::optional<DiscreteMaterial> read_discrete_material(const Context& context, const Block& block,
+                                                                     const Card& card, std::string_view name);
+
 /// What 009 says of fluids, from its first card (fields of ten columns by position).
 [[nodiscard]] Fluid read_fluid(const Context& context, const Block& block, const Card& card);
 /// Material 010 after its first card. `name`: as written, with its options.
