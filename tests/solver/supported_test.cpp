@@ -54,10 +54,10 @@ TEST(Supported, SpringsThatAreNotCalculated) {
       "*NODE\n1,0.,0.,0.\n*ELEMENT_DISCRETE\n1,1,1,0\n*PART\np\n1,1,1\n*SECTION_DISCRETE\n1\n\n";
   EXPECT_EQ(text_of(unsupported_in("*KEYWORD\n" + springs + "*MAT_S03\n1,5.,0.,1.\n")), "");
   EXPECT_EQ(text_of(unsupported_in("*KEYWORD\n" + springs + "*MAT_S04\n1,7,8\n")),
-            "12 MAT_SPRING_NONLINEAR_ELASTIC: material 1: the curve over the rate (LCR = 8) is not calculated; set LCR "
+            "13 MAT_SPRING_NONLINEAR_ELASTIC: material 1: the curve over the rate (LCR = 8) is not calculated; set LCR "
             "to 0\n");
   EXPECT_EQ(text_of(unsupported_in("*KEYWORD\n" + springs + "*MAT_S06\n1,7,8\n")),
-            "12 MAT_SPRING_GENERAL_NONLINEAR: material 1: how its curves move with the yield forces is published as "
+            "13 MAT_SPRING_GENERAL_NONLINEAR: material 1: how its curves move with the yield forces is published as "
             "pictures only; *MAT_SPRING_ELASTOPLASTIC and *MAT_SPRING_INELASTIC are calculated\n");
 }
 
