@@ -158,6 +158,7 @@ void read_interpolation(Context& context, const Block& block, const Options& opt
 void read_concentrated_load(Context& context, const Block& block, const Options& options);
 void read_segment_load(Context& context, const Block& block, const Options& options);
 void read_shell_load(Context& context, const Block& block, const Options& options);
+void read_airbag(Context& context, const Block& block, const Options& options);
 void read_body_load(Context& context, const Block& block, const Options& options);
 void read_body_load_parts(Context& context, const Block& block, const Options& options);
 void read_part_damping(Context& context, const Block& block, const Options& options);

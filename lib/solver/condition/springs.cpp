@@ -45,7 +45,7 @@ Springs::Springs(std::vector<SpringLaw> laws, const std::vector<SpringInput>& sp
     springs_.push_back(std::move(spring));
   }
   find_rates(state, rigid);
-  step_ = limit_step(state);
+  step_ = step_beside(state, rates_);
   initial_ = stored();
 }
 
@@ -61,11 +61,8 @@ double Springs::stored() const {
 void Springs::held(Absorbed& energy) const { energy.springs += stored() - initial_ + damped_; }
 
 void Springs::find_rates(const State& state, const RigidBodies& rigid) {
-  struct Sums {
-    double squared_frequency = 0, damping = 0;
-  };
   // Coupled units: bodies and single nodes, translations and rotations separately.
-  std::map<std::pair<const void*, bool>, Sums> sums;
+  std::map<std::pair<const void*, bool>, ForceRates> sums;
   for (const Spring& spring : springs_) {
     const SpringInput& input = spring.input;
     const SpringLaw& law = laws_[input.law];
@@ -76,7 +73,7 @@ void Springs::find_rates(const State& state, const RigidBodies& rigid) {
       if (!std::isfinite(yields)) continue;  // no mass: the run ends at the first force on it
       const RigidBody* body = rigid.of_node(node.value);
       const void* owner = body != nullptr ? static_cast<const void*>(body) : &state.mass[node.value];
-      Sums& sum = sums[{owner, input.torsional && body == nullptr}];
+      ForceRates& sum = sums[{owner, input.torsional && body == nullptr}];
       // k (u_b − u_a)² <= 2 k (u_a² + u_b²)
       const double share = (grounded ? 1 : 2) * std::abs(input.scale) * yields;
       sum.squared_frequency += share * law.largest_stiffness();
@@ -84,24 +81,9 @@ void Springs::find_rates(const State& state, const RigidBodies& rigid) {
     }
   }
   for (const auto& [owner, sum] : sums) {
-    squared_frequency_ = std::max(squared_frequency_, sum.squared_frequency);
-    damping_rate_ = std::max(damping_rate_, sum.damping);
+    rates_.squared_frequency = std::max(rates_.squared_frequency, sum.squared_frequency);
+    rates_.damping = std::max(rates_.damping, sum.damping);
   }
-}
-
-/// Central differences with velocities half a step behind are stable for ω² dt² + 2 c dt <= 4; `room`: what elements
-/// leave of the four.
-double Springs::step_in(double room) const {
-  return room / (damping_rate_ + std::sqrt(damping_rate_ * damping_rate_ + room * squared_frequency_));
-}
-
-/// Springs that fit beside the elements' own step leave it alone; others bring the elements to 0.9 of their critical
-/// step, or below it.
-double Springs::limit_step(const State& state) const {
-  const double usual = step_in(4 - usual_share);
-  if (state.elements_share <= usual_share) return usual;
-  if (step_in(4 - state.elements_share) >= state.coming) return std::numeric_limits<double>::infinity();
-  return std::min(usual, state.coming * std::sqrt(usual_share / state.elements_share));
 }
 
 Vector Springs::translation(const State& state, Spring& spring) const {
@@ -157,7 +139,7 @@ Vector Springs::torsion(const State& state, Spring& spring) const {
 }
 
 void Springs::add(State& state, Forces& forces) {
-  step_ = limit_step(state);
+  step_ = step_beside(state, rates_);
   for (Spring& spring : springs_) {
     const SpringInput& input = spring.input;
     const Vector damping = spring.damping;

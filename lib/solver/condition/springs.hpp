@@ -6,6 +6,7 @@
 #include "solver/condition/spring_law.hpp"
 #include "solver/rigid/rigid_bodies.hpp"
 #include "solver/state/force.hpp"
+#include "solver/state/step_beside.hpp"
 
 namespace gapcheck::solver {
 
@@ -54,8 +55,6 @@ class Springs : public Force {
     Vector damping = Vector::Zero();  ///< the part of it by dampers
   };
   void find_rates(const State& state, const RigidBodies& rigid);
-  [[nodiscard]] double step_in(double room) const;
-  [[nodiscard]] double limit_step(const State& state) const;
   [[nodiscard]] double stored() const;
   // They return the pull, and set its part by the damper.
   [[nodiscard]] Vector translation(const State& state, Spring& spring) const;
@@ -64,9 +63,9 @@ class Springs : public Force {
 
   std::vector<SpringLaw> laws_;
   std::vector<Spring> springs_;
-  double energy_ = 0, damped_ = 0;                   ///< work since the start; what dampers took of it
-  double initial_ = 0;                               ///< stored at the start
-  double squared_frequency_ = 0, damping_rate_ = 0;  ///< upper bounds: 1/s², 1/s
+  double energy_ = 0, damped_ = 0;  ///< work since the start; what dampers took of it
+  double initial_ = 0;              ///< stored at the start
+  ForceRates rates_;                ///< upper bounds
   double step_ = 0;
 };
 
