@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -106,7 +107,8 @@ void Airbags::add(State& state, Forces& forces) {
     for (std::size_t k = 0; k < nodes.size(); ++k) forces.force[nodes[k]] += applied * unit[k];
     squared_frequency += stiffness * yielding(nodes, unit, state);
   }
-  step_ = squared_frequency > 0 ? step_beside(state, {squared_frequency, 0}) : std::numeric_limits<double>::infinity();
+  // It only falls: a step that rises and falls with a vibration feeds it.
+  if (squared_frequency > 0) step_ = std::min(step_, step_beside(state, {squared_frequency, 0}));
 }
 
 }  // namespace gapcheck::solver

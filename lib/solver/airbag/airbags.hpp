@@ -49,7 +49,7 @@ class Airbags : public Force {
 
   void add(State& state, Forces& forces) override;
   [[nodiscard]] SolverStatus status() const override { return status_; }
-  /// From the stiffness of the gas against all masses at its surface.
+  /// From the stiffness of the gas against all masses at its surface; it only falls.
   [[nodiscard]] double stable_step() const override { return step_; }
 
   /// At the last evaluation, in the order of the deck.
