@@ -131,7 +131,7 @@ TEST(Airbags, StableStep) {
     const SolverStatus status = run.stepper.step();
     ASSERT_TRUE(status.ok()) << i << ": " << status.error().message;
   }
-  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 0.01);  // the step follows the stiffness of the gas
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 0.02);  // each fall of the step costs a little
   EXPECT_LT(run.stepper.energies().kinetic, 1.1 * 8 * 81);
 }
 
