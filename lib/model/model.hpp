@@ -9,6 +9,7 @@
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
 #include "model/contact/contact.hpp"
+#include "model/entity/airbag.hpp"
 #include "model/entity/beam_preload.hpp"
 #include "model/entity/boundary.hpp"
 #include "model/entity/cross_section.hpp"
@@ -93,6 +94,7 @@ struct Model {
   std::vector<CrossSection> cross_sections;
   std::vector<SectionPreload> section_preloads;
   Loads loads;
+  std::vector<Airbag> airbags;                         ///< in the order of the deck
   std::map<std::int64_t, HourglassControl> hourglass;  ///< *HOURGLASS
   std::map<std::int64_t, ShellRule> shell_rules;       ///< *INTEGRATION_SHELL
   Controls controls;

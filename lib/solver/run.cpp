@@ -279,6 +279,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
     if (const auto* loads = dynamic_cast<const ConcentratedLoads*>(force.get())) run.conditions_.loads = loads;
     if (const auto* pressures = dynamic_cast<const Pressures*>(force.get())) run.conditions_.pressures = pressures;
     if (const auto* discrete = dynamic_cast<const Springs*>(force.get())) run.conditions_.springs = discrete;
+    if (const auto* airbags = dynamic_cast<const Airbags*>(force.get())) run.conditions_.airbags = airbags;
     run.stepper_->add(std::move(force));
   }
   // Last: they hold regardless of all other forces.

@@ -8,6 +8,7 @@
 
 #include "contact/initial.hpp"
 #include "model/model.hpp"
+#include "solver/airbag/airbags.hpp"
 #include "solver/build/build.hpp"
 #include "solver/condition/loads.hpp"
 #include "solver/condition/relaxation.hpp"
@@ -83,6 +84,7 @@ class Run {
     const ConcentratedLoads* loads = nullptr;
     const Pressures* pressures = nullptr;
     const Springs* springs = nullptr;
+    const Airbags* airbags = nullptr;
   };
   [[nodiscard]] const Conditions& conditions() const { return conditions_; }
   [[nodiscard]] double end_time() const { return end_time_; }

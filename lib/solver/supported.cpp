@@ -10,6 +10,7 @@
 
 #include "base/embedded.hpp"
 #include "contact/definition/contact_type.hpp"
+#include "solver/build/build_spring_law.hpp"
 #include "solver/build/material/build_equation_of_state.hpp"
 #include "solver/build/material/build_erosion.hpp"
 #include "solver/build/material/build_foam_rubber.hpp"
@@ -196,6 +197,10 @@ class Finder {
       material_seen[*position] = true;
       const model::Material& material = model_.materials[*position];
       const bool known = std::find(continua.begin(), continua.end(), material.keyword) != continua.end();
+      if (const std::string why = spring_not_calculated(material); !why.empty()) {
+        add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
+        continue;
+      }
       if (!known && !material.discrete && !material.discrete_beam) {
         add(material.keyword, material.place, fmt::format("material {} is of no kind that is calculated", material.id));
         continue;

@@ -78,7 +78,8 @@ const std::map<std::string, Order> floors{
       {"rigid", {"material"}},
       {"structure", {"thick", "rigid"}},
 
-      {"condition", {"structure"}},
+      {"airbag", {"state"}},
+      {"condition", {"structure", "airbag"}},
       {"build/material", {"condition"}},
       {"build", {"build/material"}},
       {"interface", {"state"}},

@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 14> files{"glstat",  "matsum",  "nodout", "rcforc", "sleout",
-                                                 "secforc", "spcforc", "bndout", "rwforc", "rbdout",
-                                                 "swforc",  "elout",   "deforc", "jntforc"};
+constexpr std::array<std::string_view, 15> files{"glstat",  "matsum",  "nodout", "rcforc",  "sleout",
+                                                 "secforc", "spcforc", "bndout", "rwforc",  "rbdout",
+                                                 "swforc",  "elout",   "deforc", "jntforc", "abstat"};
 
 /// Something for each of them: a bar that is held, loaded, moved and cut, two plates in contact, a beam, a weld, a
 /// spring, a mass that hits a wall, rigid bodies and a joint.
@@ -39,6 +39,9 @@ std::string deck(int binary) {
       "1.,7,7\n*CONSTRAINED_NODAL_RIGID_BODY\n70,0,70\n*CONSTRAINED_JOINT_SPHERICAL_ID\n5,pin\n61,71\n"
       "*NODE\n81,60.,0.,0.\n82,61.,0.,0.\n83,60.,1.,0.\n*ELEMENT_BEAM\n4,9,81,82,83\n*PART\nbeam\n9,9,1\n"
       "*SECTION_BEAM\n9,1\n0.1,0.1,0.2,0.2\n"
+      "*NODE\n101,0.,0.,30.\n102,1.,0.,30.\n103,0.,1.,30.\n104,0.,0.,31.\n*ELEMENT_MASS\n101,101,1.\n102,102,1.\n"
+      "103,103,1.\n104,104,1.\n*SET_SEGMENT\n100\n101,103,102,102\n101,102,104,104\n102,103,104,104\n103,101,104,104\n"
+      "*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n13,bag\n100\n700.,980.,300.,3,0.5,0.01,10.,0.1\n0\n"
       "*NODE\n91,20.,20.,0.\n92,21.,20.,0.\n93,21.,21.,0.\n94,20.,21.,0.\n95,20.2,20.2,0.11\n96,20.8,20.2,0.11\n"
       "97,20.8,20.8,0.11\n98,20.2,20.8,0.11\n*ELEMENT_SHELL\n20,8,91,92,93,94\n21,10,95,96,97,98\n"
       "*SECTION_SHELL\n8,2\n0.1\n*PART\np\n8,8,1\n*PART\nq\n10,8,1\n"

@@ -49,6 +49,18 @@ TEST(Supported, AssembliesOfWeldBricks) {
                     form));
 }
 
+TEST(Supported, SpringsThatAreNotCalculated) {
+  const std::string springs =
+      "*NODE\n1,0.,0.,0.\n*ELEMENT_DISCRETE\n1,1,1,0\n*PART\np\n1,1,1\n*SECTION_DISCRETE\n1\n\n";
+  EXPECT_EQ(text_of(unsupported_in("*KEYWORD\n" + springs + "*MAT_S03\n1,5.,0.,1.\n")), "");
+  EXPECT_EQ(text_of(unsupported_in("*KEYWORD\n" + springs + "*MAT_S04\n1,7,8\n")),
+            "13 MAT_SPRING_NONLINEAR_ELASTIC: material 1: the curve over the rate (LCR = 8) is not calculated; set LCR "
+            "to 0\n");
+  EXPECT_EQ(text_of(unsupported_in("*KEYWORD\n" + springs + "*MAT_S06\n1,7,8\n")),
+            "13 MAT_SPRING_GENERAL_NONLINEAR: material 1: how its curves move with the yield forces is published as "
+            "pictures only; *MAT_SPRING_ELASTOPLASTIC and *MAT_SPRING_INELASTIC are calculated\n");
+}
+
 // Sensors do nothing until *SENSOR_CONTROL asks them.
 TEST(Supported, SensorsAlone) {
   const std::string sensors = "*KEYWORD\n*SENSOR_DEFINE_FORCE\n1,RWALL,1\n*SENSOR_SWITCH\n1,SENSOR,1,GT,1.\n";

@@ -24,9 +24,9 @@ struct HistoryElement {
 };
 
 /// The files of curves that a run can write into a binout.
-inline constexpr std::array<std::string_view, 14> binout_branches{"glstat",  "matsum",  "nodout", "rcforc", "sleout",
-                                                                  "secforc", "spcforc", "bndout", "rwforc", "rbdout",
-                                                                  "swforc",  "elout",   "deforc", "jntforc"};
+inline constexpr std::array<std::string_view, 15> binout_branches{"glstat",  "matsum",  "nodout", "rcforc",  "sleout",
+                                                                  "secforc", "spcforc", "bndout", "rwforc",  "rbdout",
+                                                                  "swforc",  "elout",   "deforc", "jntforc", "abstat"};
 
 /// Intervals of the result files in the model's time; zero: not requested. A DT not above zero counts as none.
 struct Output {
@@ -34,7 +34,7 @@ struct Output {
   Place intfor_place;
   double glstat = 0, matsum = 0, nodout = 0, rcforc = 0, sleout = 0, ncforc = 0;
   double secforc = 0, spcforc = 0, bndout = 0, rwforc = 0, rbdout = 0, swforc = 0, elout = 0;
-  double deforc = 0, jntforc = 0;
+  double deforc = 0, jntforc = 0, abstat = 0;
   /// BINARY of *DATABASE_…, by file: 0, 1 text, 2 binout, 3 both. Absent: a file without a card, or one that is no
   /// branch of the binout.
   std::map<std::string, int, std::less<>> binary;

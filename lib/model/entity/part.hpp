@@ -176,17 +176,26 @@ struct MooneyRivlin {
   SpecimenTest test = {};  ///< where A and B are both zero they are fitted to its curve
 };
 
-/// Material of springs and dampers. Constants are for translation, in the model's units; for torsion multiply by the
-/// square of `length_factor`.
+/// Material of springs and dampers. Constants are for translation, in the model's units; for torsion multiply
+/// stiffness, damping and force by `length_factor`, squared for those per length.
 struct DiscreteMaterial {
   enum class Kind : std::uint8_t {
     spring,            ///< S01: force = constant x elongation
     damper,            ///< S02: force = constant x its rate
+    plastic_spring,    ///< S03
     nonlinear_spring,  ///< S04: force by a curve over the elongation
+    nonlinear_damper,  ///< S05: force by a curve over the rate
+    maxwell_spring,    ///< S07
+    inelastic_spring,  ///< S08: force by a curve over the elongation, in tension or in compression alone
   } kind = Kind::spring;
-  double constant = 0;
+  double constant = 0;  ///< K of S01 and S03, DC of S02, K0 of S07, KU of S08
   double length_factor = 1;
-  std::int64_t curve = 0, rate_curve = 0;  ///< S04: LCD, LCR
+  std::int64_t curve = 0, rate_curve = 0;  ///< S04: LCD, LCR; S05: LCDR; S08: LCFD
+  double tangent = 0, yield = 0;           ///< S03: KT, FY
+  double long_time = 0, decay = 0;         ///< S07: KI, BETA
+  double cutoff = 0, cutoff_force = 0;     ///< S07: TC, 0 = none; FC
+  double option = 0;                       ///< S07: COPT
+  double sense = 0;                        ///< S08: CTF
 };
 
 struct Material {

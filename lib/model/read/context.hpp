@@ -158,6 +158,7 @@ void read_interpolation(Context& context, const Block& block, const Options& opt
 void read_concentrated_load(Context& context, const Block& block, const Options& options);
 void read_segment_load(Context& context, const Block& block, const Options& options);
 void read_shell_load(Context& context, const Block& block, const Options& options);
+void read_airbag(Context& context, const Block& block, const Options& options);
 void read_body_load(Context& context, const Block& block, const Options& options);
 void read_body_load_parts(Context& context, const Block& block, const Options& options);
 void read_part_damping(Context& context, const Block& block, const Options& options);
@@ -200,6 +201,11 @@ void read_friction_table(Context& context, const Block& block, const Options& op
 /// Materials 066, 067, 068 and 071 after their first card (fields of ten columns by position); nothing for others.
 /// `name`: "CABLE_DISCRETE_BEAM".
 [[nodiscard]] std::optional<DiscreteBeamMaterial> read_discrete_beam(const Context& context, CardReader& reader,
+                                                                     const Card& card, std::string_view name);
+
+/// Materials S01 to S05, S07 and S08, from their first card (fields of ten columns by position); nothing for others.
+/// `name`: "SPRING_ELASTIC".
+[[nodiscard]] std::optional<DiscreteMaterial> read_discrete_material(const Context& context, const Block& block,
                                                                      const Card& card, std::string_view name);
 
 /// What 009 says of fluids, from its first card (fields of ten columns by position).

@@ -97,6 +97,61 @@ void read_shell_load(Context& context, const Block& block, const Options& option
   });
 }
 
+void read_airbag(Context& context, const Block& block, const Options& options) {
+  constexpr std::string_view gas = "AIRBAG_SIMPLE_AIRBAG_MODEL", by_volume = "AIRBAG_SIMPLE_PRESSURE_VOLUME";
+  const keyword::Transform& units = context.transform(block);
+  const double area = units.length_factor * units.length_factor, heat = area / (units.time_factor * units.time_factor);
+  CardReader reader(context.deck, block, context.diagnostics);
+  Airbag airbag;
+  airbag.keyword = block.name;
+  airbag.kind = block.name.starts_with(gas) ? Airbag::Kind::simple : Airbag::Kind::pressure_volume;
+  airbag.id = static_cast<std::int64_t>(context.model.airbags.size()) + 1;
+  if (options.has("ID")) {
+    const Card card = reader.next(card_layout(gas, "ID"));
+    if (card.integer("id") != 0) airbag.id = card.integer("id");
+    airbag.title = card.text("title");
+  }
+  const Card card = reader.next(card_layout(gas, "card1"));
+  if (!card.present()) return;
+  const auto factor = [&](std::string_view field) { return card.real(field) == 0 ? 1 : card.real(field); };
+  const auto constant_or_curve = [&](double value, double& constant, std::int64_t& curve) {
+    constant = std::max(value, 0.0);
+    if (value < 0) curve = context.curve_id(block, -value);
+  };
+  airbag.place = Context::place(block, card.line());
+  airbag.set = card.integer("sid");
+  airbag.parts = card.integer("sidtyp") != 0;
+  airbag.sensor = card.integer("rbid");
+  airbag.volume_scale = factor("vsca");
+  airbag.pressure_scale = factor("psca");
+  airbag.excluded = card.real("vini") * area * units.length_factor;
+  airbag.damping = card.real("mwd");
+  airbag.stagnation = card.real("spsf");
+  airbag.pressure_unit = pressure_unit(units);
+  airbag.flow_unit = units.mass_factor / units.time_factor;
+  airbag.area_unit = area;
+  if (airbag.kind == Airbag::Kind::pressure_volume) {
+    const Card law = reader.next(card_layout(by_volume, "card2"));
+    constant_or_curve(law.real("cn"), airbag.coefficient, airbag.coefficient_curve);
+    airbag.coefficient *= airbag.pressure_unit;
+    airbag.factor = law.real("beta");
+    airbag.curve = law.integer("lcid");
+  } else {
+    const Card law = reader.next(card_layout(gas, "card2")), more = reader.next(card_layout(gas, "card3"));
+    airbag.heat_volume = law.real("cv") * heat;
+    airbag.heat_pressure = law.real("cp") * heat;
+    airbag.temperature = law.real("t");
+    airbag.curve = law.integer("lcid");
+    constant_or_curve(law.real("mu"), airbag.shape, airbag.shape_curve);
+    constant_or_curve(law.real("area"), airbag.area, airbag.area_curve);
+    airbag.area *= area;
+    airbag.pressure = law.real("pe") * airbag.pressure_unit;
+    airbag.density = law.real("ro") * units.mass_factor / (area * units.length_factor);
+    airbag.exit_curve = more.integer("lou");
+  }
+  context.model.airbags.push_back(std::move(airbag));
+}
+
 void read_body_load(Context& context, const Block& block, const Options&) {
   const keyword::Transform& units = context.transform(block);
   for_each_card(context, block, card_layout("LOAD_BODY_X", "card1"), false, [&](CardReader& reader, const Card& card) {

@@ -147,32 +147,6 @@ std::string padded_number(std::string_view name) {
 /// Springs and dampers have no density: their constants are in its field.
 bool is_discrete(const ElasticFields* known) { return known != nullptr && known->number.starts_with('S'); }
 
-std::optional<DiscreteMaterial> discrete_material(const Context& context, const Block& block, const Card& card,
-                                                  std::string_view name) {
-  using Kind = DiscreteMaterial::Kind;
-  const keyword::Transform& units = context.transform(block);
-  const double time = units.time_factor;
-  DiscreteMaterial material;
-  material.length_factor = units.length_factor;
-  if (name == "SPRING_ELASTIC") {
-    material.constant = card.real(1) * units.mass_factor / (time * time);
-  } else if (name == "DAMPER_VISCOUS") {
-    material.kind = Kind::damper;
-    material.constant = card.real(1) * units.mass_factor / time;
-  } else if (name == "SPRING_NONLINEAR_ELASTIC") {
-    material.kind = Kind::nonlinear_spring;
-    const CardLayout& layout = keyword::card_layout("MAT_SPRING_NONLINEAR_ELASTIC", "card1");
-    CardReader reader(context.deck, block, context.diagnostics);
-    while (!reader.at_end() && reader.peek_line() < card.line()) reader.skip();
-    const Card curves = reader.next(layout);
-    material.curve = curves.integer("lcd");
-    material.rate_curve = curves.integer("lcr");
-  } else {
-    return std::nullopt;
-  }
-  return material;
-}
-
 /// A, B and the test of material 027.
 void read_mooney_rivlin(Context& context, CardReader& reader, const Card& card, double stress, Material& material) {
   static const CardLayout four = real_line(4, 10);
@@ -217,7 +191,7 @@ void read_material(Context& context, const Block& block, const Options& options)
   const double stress = units.mass_factor / (length * units.time_factor * units.time_factor);
   const auto field = [&](std::size_t index) { return index == 0 ? 0.0 : card.real(index); };
   if (is_discrete(known))
-    material.discrete = discrete_material(context, block, card, known->name);
+    material.discrete = read_discrete_material(context, block, card, known->name);
   else
     material.density = card.real(1) * units.mass_factor / (length * length * length);
   if (known != nullptr && !is_discrete(known)) {

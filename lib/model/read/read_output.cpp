@@ -15,7 +15,7 @@ namespace {
 
 /// Where the interval of a keyword is kept.
 double& interval_of(std::string_view keyword, Output& output) {
-  constexpr std::array<std::pair<std::string_view, double Output::*>, 15> files{{
+  constexpr std::array<std::pair<std::string_view, double Output::*>, 16> files{{
       {"DATABASE_GLSTAT", &Output::glstat},
       {"DATABASE_MATSUM", &Output::matsum},
       {"DATABASE_NODOUT", &Output::nodout},
@@ -31,6 +31,7 @@ double& interval_of(std::string_view keyword, Output& output) {
       {"DATABASE_ELOUT", &Output::elout},
       {"DATABASE_DEFORC", &Output::deforc},
       {"DATABASE_JNTFORC", &Output::jntforc},
+      {"DATABASE_ABSTAT", &Output::abstat},
   }};
   for (const auto& [name, interval] : files)
     if (keyword.starts_with(name)) return output.*interval;

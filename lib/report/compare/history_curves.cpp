@@ -144,6 +144,17 @@ void add_joint(HistoryCurves& curves, double time, const results::JointForce& ro
   curves.vector("moment", row.moment);
 }
 
+void add_airbag(HistoryCurves& curves, double time, const results::AirbagRow& row) {
+  curves.entity(0, row.airbag, time, [&] { return fmt::format("airbag {}", row.airbag); });
+  curves.number("volume", "volume", row.volume);
+  curves.number("pressure", "pressure", row.pressure);
+  curves.number("energy", "internal energy", row.energy);
+  curves.number("flow", "flow in", row.rate_in);
+  curves.number("flow", "flow out", row.rate_out);
+  curves.number("mass", "mass", row.mass);
+  curves.number("temperature", "temperature", row.temperature);
+}
+
 /// One side of a contact, or a surface whose title names none.
 void add_surfaces(const results::SurfaceHistory& history, std::vector<Curve>& list) {
   HistoryCurves curves("intfor", 6, list);
@@ -171,6 +182,7 @@ void add_history_curves(const results::RunResults& run, std::vector<Curve>& list
   add_rows("elout", 4, run.elout, list, add_element);
   add_rows("deforc", 6, run.deforc, list, add_spring);
   add_rows("jntforc", 6, run.jntforc, list, add_joint);
+  add_rows("abstat", 4, run.abstat, list, add_airbag);
   add_surfaces(run.intfor, list);
 }
 

@@ -72,6 +72,22 @@ const BinoutColumns<SpringForce>& spring_columns() {
   return columns;
 }
 
+const BinoutColumns<AirbagRow>& airbag_columns() {
+  using Row = AirbagRow;
+  static const BinoutColumns<Row> columns{&Row::airbag,
+                                          {},
+                                          {{"volume", &Row::volume},
+                                           {"pressure", &Row::pressure},
+                                           {"internal_energy", &Row::energy},
+                                           {"dm_dt_in", &Row::rate_in},
+                                           {"density", &Row::density},
+                                           {"dm_dt_out", &Row::rate_out},
+                                           {"total_mass", &Row::mass},
+                                           {"gas_temp", &Row::temperature},
+                                           {"surface_area", &Row::area}}};
+  return columns;
+}
+
 const BinoutColumns<JointForce>& joint_columns() {
   using Row = JointForce;
   static const BinoutColumns<Row> columns{&Row::joint, {{"?_force", &Row::force}, {"?_moment", &Row::moment}}, {}};

@@ -9,6 +9,7 @@
 #include "base/vector.hpp"
 #include "results/curves/binout_row.hpp"
 #include "results/curves/lsda_write.hpp"
+#include "results/history/airbag_states.hpp"
 #include "results/history/body_motion.hpp"
 #include "results/history/boundary_forces.hpp"
 #include "results/history/element_stress.hpp"
@@ -94,6 +95,7 @@ std::optional<std::vector<Row>> read_columns(const BinoutColumns<Row>& columns, 
 [[nodiscard]] const BinoutColumns<WeldForce>& weld_columns();
 [[nodiscard]] const BinoutColumns<SpringForce>& spring_columns();
 [[nodiscard]] const BinoutColumns<JointForce>& joint_columns();
+[[nodiscard]] const BinoutColumns<AirbagRow>& airbag_columns();
 
 /// Row and column of an axis of a body, from 1: "dircos_12".
 [[nodiscard]] std::string axis_array(int row, int column);

@@ -217,6 +217,8 @@ const std::map<std::string, AddHistory, std::less<>>& history_branches() {
         {"rbdout", add_bodies},
         {"swforc", add_welds},
         {"deforc", add_springs},
+        {"abstat",
+         [](const BinoutSource& s, RunResults& run) { return add_rows(s, s.rows(airbag_columns()), run.abstat); }},
         {"jntforc/joints", add_joints}};
     for (const BoundaryKind kind : {BoundaryKind::discrete, BoundaryKind::pressure, BoundaryKind::velocity})
       for (const bool body : {true, false})

@@ -8,8 +8,8 @@
 namespace gapcheck::results {
 
 /// The files whose branches are read into the histories of RunResults.
-inline constexpr std::array<std::string_view, 9> history_files{"secforc", "spcforc", "bndout", "rwforc", "rbdout",
-                                                               "swforc",  "elout",   "deforc", "jntforc"};
+inline constexpr std::array<std::string_view, 10> history_files{"secforc", "spcforc", "bndout", "rwforc",  "rbdout",
+                                                                "swforc",  "elout",   "deforc", "jntforc", "abstat"};
 
 /// True for a branch of one of them that is read: "secforc", "bndout/velocity/nodes".
 [[nodiscard]] bool is_history_branch(std::string_view branch);

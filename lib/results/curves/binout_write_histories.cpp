@@ -216,6 +216,16 @@ void add_elout(BinoutWriter& binout, const std::array<std::vector<LegendEntry>, 
   }
 }
 
+void add_abstat(BinoutWriter& binout, const std::vector<LegendEntry>& titles, double time,
+                std::span<const AirbagRow> airbags) {
+  if (binout.begin_metadata("abstat")) {
+    write_ids(binout.file(), airbags, &AirbagRow::airbag);
+    binout.legend(titles);
+  }
+  binout.begin_state("abstat", time);
+  write_columns(binout.file(), airbag_columns(), airbags);
+}
+
 void add_deforc(BinoutWriter& binout, double time, std::span<const SpringForce> springs) {
   if (binout.begin_metadata("deforc")) {
     write_ids(binout.file(), springs, &SpringForce::spring);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "results/curves/binout_write.hpp"
+#include "results/history/airbag_states.hpp"
 #include "results/history/body_motion.hpp"
 #include "results/history/boundary_forces.hpp"
 #include "results/history/element_stress.hpp"
@@ -33,6 +34,8 @@ void add_swforc(BinoutWriter& binout, double time, std::span<const WeldForce> we
 /// One branch for each kind; `titles` by StressKind. Shells with several points in the plane have "npl".
 void add_elout(BinoutWriter& binout, const std::array<std::vector<LegendEntry>, 3>& titles, std::uint64_t cycle,
                double time, bool local, std::span<const ElementStress> elements);
+void add_abstat(BinoutWriter& binout, const std::vector<LegendEntry>& titles, double time,
+                std::span<const AirbagRow> airbags);
 void add_deforc(BinoutWriter& binout, double time, std::span<const SpringForce> springs);
 void add_jntforc(BinoutWriter& binout, double time, std::span<const JointForce> joints);
 

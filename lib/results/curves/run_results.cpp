@@ -48,6 +48,7 @@ RunResults read_run_results(const std::string& directory, bool nodes, Diagnostic
     read("elout", into(run.elout, read_elout));
     read("deforc", into(run.deforc, read_deforc));
     read("jntforc", into(run.jntforc, read_jntforc));
+    read("abstat", into(run.abstat, read_abstat));
   }
   run.missing = with_binout;
   read_binout(run, nodes, diagnostics);

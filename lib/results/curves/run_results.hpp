@@ -9,6 +9,7 @@
 #include "results/curves/intfor_history.hpp"
 #include "results/curves/matsum.hpp"
 #include "results/curves/nodout.hpp"
+#include "results/history/airbag_states.hpp"
 #include "results/history/body_motion.hpp"
 #include "results/history/boundary_forces.hpp"
 #include "results/history/element_stress.hpp"
@@ -37,6 +38,7 @@ struct RunResults {
   History<ElementStress> elout;
   History<SpringForce> deforc;
   History<JointForce> jntforc;
+  History<AirbagRow> abstat;
   SurfaceHistory intfor;
   std::vector<std::string> missing;  ///< names of missing files of the first five
 

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
+
+#include "solver/build/build_spring_law.hpp"
 
 namespace gapcheck::solver {
 namespace {
-
-using SpringKind = model::DiscreteMaterial::Kind;
 
 /// Collects springs; remembers the first failure.
 class Collector {
@@ -37,8 +38,10 @@ class Collector {
                            fmt::format("discrete element {} {}; it takes no part in the calculation", id, why));
       return;
     }
-    if (const auto law = law_of(part, section))
+    if (const auto law = law_of(part, section)) {
+      check_line(*law, b != none<NodeIndex> && model_.mesh.nodes.x[a.value] != model_.mesh.nodes.x[b.value], id, place);
       springs.push_back({a, b, *law, own.scale, own.offset, section.torsional, element});
+    }
   }
 
   std::vector<SpringLaw> laws;
@@ -64,42 +67,33 @@ class Collector {
     const auto [entry, is_new] = law_of_part_.try_emplace(part.value, static_cast<std::uint32_t>(laws.size()));
     if (!is_new) return entry->second;
     const model::Material& material = model_.materials[*model_.part(part).material];
-    const auto warn = [&](model::Place place, const std::string& message) {
-      diagnostics_.warning(model_.file(place), place.line, message);
-    };
-    if (!material.discrete) {
-      fail(Failure::Kind::bad_material,
-           fmt::format("material {} (*{}) is none of the springs and dampers S01, S02 and S04; replace it for this run",
-                       material.id, material.keyword),
-           material.place);
+    if (section.limited && material.discrete)
+      diagnostics_.warning(model_.file(section.place), section.place.line,
+                           fmt::format("section {}: KD, V0, CL, FD, CDL and TDL are not calculated", section.id));
+    SolverResult<SpringLaw> law = build_spring_law(model_, material, section.torsional, diagnostics_);
+    if (!law) {
+      if (status.ok()) status = law.error();
       return std::nullopt;
     }
-    const model::DiscreteMaterial& data = *material.discrete;
-    if (section.limited)
-      warn(section.place, fmt::format("section {}: KD, V0, CL, FD, CDL and TDL are not calculated", section.id));
-    if (data.rate_curve != 0)
-      warn(material.place, fmt::format("material {}: the curve over the rate (LCR) is not calculated", material.id));
-    SpringLaw law;
-    const double constant = data.constant * (section.torsional ? data.length_factor * data.length_factor : 1);
-    (data.kind == SpringKind::damper ? law.damping : law.stiffness) = constant;
-    if (data.kind == SpringKind::nonlinear_spring) law.curve = curve_of(material);
-    laws.push_back(std::move(law));
+    laws.push_back(std::move(law).value());
     return entry->second;
   }
 
-  /// The points with strictly rising elongations.
-  std::vector<std::array<double, 2>> curve_of(const model::Material& material) {
-    std::vector<std::array<double, 2>> points;
-    const auto curve = model_.curves.find(material.discrete->curve);
-    if (curve != model_.curves.end())
-      for (const auto& point : curve->second.points)
-        if (points.empty() || point[0] > points.back()[0]) points.push_back(point);
-    if (points.size() < 2)
-      fail(Failure::Kind::bad_material,
-           fmt::format("material {} (*{}): curve {} is not there or has no two points", material.id, material.keyword,
-                       material.discrete->curve),
-           material.place);
-    return points;
+  /// Springs whose law asks for a line but which have none.
+  void check_line(std::uint32_t law, bool line, std::int64_t id, model::Place place) {
+    if (line || laws[law].kind == SpringLaw::Kind::elastic || laws[law].kind == SpringLaw::Kind::elastoplastic) return;
+    if (laws[law].kind == SpringLaw::Kind::inelastic)
+      fail(Failure::Kind::contradiction,
+           fmt::format("discrete element {} has no length at the start, so its material (*MAT_SPRING_INELASTIC) cannot "
+                       "tell tension from compression; place its nodes apart",
+                       id),
+           place);
+    else if (std::isfinite(laws[law].cutoff))
+      fail(Failure::Kind::contradiction,
+           fmt::format("discrete element {} has no length at the start, so that the force FC of its material "
+                       "(*MAT_SPRING_MAXWELL) has no direction; place its nodes apart or set TC to 0",
+                       id),
+           place);
   }
 
   const model::Model& model_;

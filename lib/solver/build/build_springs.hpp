@@ -9,9 +9,9 @@
 
 namespace gapcheck::solver {
 
-/// The discrete elements of a deck with the materials S01, S02 and S04, once all masses are complete. A missing part,
-/// section, material or curve and any other material is a failure; further settings of a section or material, and
-/// elements with an orientation vector, are reported in `diagnostics` and not calculated. Null if there are none.
+/// The discrete elements of a deck with the materials S01 to S05, S07 and S08, once all masses are complete. A missing
+/// part, section, material or curve and any other material is a failure; further settings of a section, and elements
+/// with an orientation vector, are reported in `diagnostics` and not calculated. Null if there are none.
 [[nodiscard]] SolverResult<std::unique_ptr<Springs>> build_springs(const model::Model& model,
                                                                    const Structure& structure,
                                                                    Diagnostics& diagnostics);

@@ -78,6 +78,9 @@ void apply_body_properties(ConditionBuilder& builder);
 /// Joins rigid bodies. A failure names nodes that are in no rigid body or in the same, or that give no axis.
 void apply_joints(ConditionBuilder& builder);
 void apply_loads(ConditionBuilder& builder);
+/// Adds the deck's airbags. A failure names a set, surface, curve or constant that cannot be used, or what is not
+/// calculated of them.
+void apply_airbags(ConditionBuilder& builder);
 /// Lets degrees of freedom follow the equations of *CONSTRAINED_LINEAR_GLOBAL and _LOCAL, or each other
 /// (*CONSTRAINED_NODE_SET). A failure names nodes that cannot, or what is not calculated together with them.
 void apply_linear_constraints(ConditionBuilder& builder);

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 
@@ -27,39 +26,10 @@ double mobility(const State& state, const RigidBodies& rigid, std::uint32_t node
   return 1 / (torsional ? state.inertia[node] : state.mass[node]);
 }
 
+/// Springs are not cut off in a dynamic relaxation, whose time is its own.
+double now(const State& state) { return state.relaxing ? 0 : state.time; }
+
 }  // namespace
-
-double SpringLaw::force(double elongation) const {
-  double sum = stiffness * elongation;
-  if (curve.size() == 1) return sum + curve[0][1];
-  if (curve.size() < 2) return sum;
-  const auto above = std::upper_bound(curve.begin() + 1, curve.end() - 1, elongation,
-                                      [](double u, const std::array<double, 2>& point) { return u < point[0]; });
-  const auto& [u0, f0] = *(above - 1);
-  const auto& [u1, f1] = *above;
-  return sum + f0 + (f1 - f0) * (elongation - u0) / (u1 - u0);
-}
-
-double SpringLaw::energy(double elongation) const {
-  // Linear between points and beyond the first and the last: the trapezoidal rule is exact between breaks.
-  std::vector<double> breaks{0};
-  const auto inside = [&](double u) { return elongation > 0 ? u > 0 && u < elongation : u < 0 && u > elongation; };
-  for (const auto& point : curve)
-    if (inside(point[0])) breaks.push_back(point[0]);
-  breaks.push_back(elongation);
-  if (elongation < 0) std::sort(breaks.begin(), breaks.end(), std::greater<>());
-  double sum = 0;
-  for (std::size_t i = 1; i < breaks.size(); ++i)
-    sum += (breaks[i] - breaks[i - 1]) * (force(breaks[i]) + force(breaks[i - 1])) / 2;
-  return sum;
-}
-
-double SpringLaw::largest_stiffness() const {
-  double largest = 0;
-  for (std::size_t i = 1; i < curve.size(); ++i)
-    largest = std::max(largest, std::abs((curve[i][1] - curve[i - 1][1]) / (curve[i][0] - curve[i - 1][0])));
-  return std::abs(stiffness) + largest;
-}
 
 Springs::Springs(std::vector<SpringLaw> laws, const std::vector<SpringInput>& springs, const State& state,
                  const RigidBodies& rigid)
@@ -70,27 +40,29 @@ Springs::Springs(std::vector<SpringLaw> laws, const std::vector<SpringInput>& sp
     if (input.b != none<NodeIndex>) spring.length = (state.x[input.b.value] - spring.ground).norm();
     if (spring.length > 0) spring.elongation = input.offset;
     spring.input = input;
+    if (const SpringLaw& law = laws_[input.law]; law.has_history() && spring.length > 0)
+      (void)law.update(input.offset * Vector::UnitX(), 0, 0, spring.history);
     springs_.push_back(std::move(spring));
   }
   find_rates(state, rigid);
-  step_ = limit_step(state);
+  step_ = step_beside(state, rates_);
   initial_ = stored();
 }
 
 double Springs::stored() const {
   double sum = 0;
-  for (const Spring& spring : springs_) sum += spring.input.scale * laws_[spring.input.law].energy(spring.elongation);
+  for (const Spring& spring : springs_) {
+    const SpringLaw& law = laws_[spring.input.law];
+    sum += spring.input.scale * (law.has_history() ? law.held(spring.history) : law.energy(spring.elongation));
+  }
   return sum;
 }
 
 void Springs::held(Absorbed& energy) const { energy.springs += stored() - initial_ + damped_; }
 
 void Springs::find_rates(const State& state, const RigidBodies& rigid) {
-  struct Sums {
-    double squared_frequency = 0, damping = 0;
-  };
   // Coupled units: bodies and single nodes, translations and rotations separately.
-  std::map<std::pair<const void*, bool>, Sums> sums;
+  std::map<std::pair<const void*, bool>, ForceRates> sums;
   for (const Spring& spring : springs_) {
     const SpringInput& input = spring.input;
     const SpringLaw& law = laws_[input.law];
@@ -101,32 +73,17 @@ void Springs::find_rates(const State& state, const RigidBodies& rigid) {
       if (!std::isfinite(yields)) continue;  // no mass: the run ends at the first force on it
       const RigidBody* body = rigid.of_node(node.value);
       const void* owner = body != nullptr ? static_cast<const void*>(body) : &state.mass[node.value];
-      Sums& sum = sums[{owner, input.torsional && body == nullptr}];
+      ForceRates& sum = sums[{owner, input.torsional && body == nullptr}];
       // k (u_b − u_a)² <= 2 k (u_a² + u_b²)
       const double share = (grounded ? 1 : 2) * std::abs(input.scale) * yields;
       sum.squared_frequency += share * law.largest_stiffness();
-      sum.damping += share * std::abs(law.damping);
+      sum.damping += share * law.largest_damping();
     }
   }
   for (const auto& [owner, sum] : sums) {
-    squared_frequency_ = std::max(squared_frequency_, sum.squared_frequency);
-    damping_rate_ = std::max(damping_rate_, sum.damping);
+    rates_.squared_frequency = std::max(rates_.squared_frequency, sum.squared_frequency);
+    rates_.damping = std::max(rates_.damping, sum.damping);
   }
-}
-
-/// Central differences with velocities half a step behind are stable for ω² dt² + 2 c dt <= 4; `room`: what elements
-/// leave of the four.
-double Springs::step_in(double room) const {
-  return room / (damping_rate_ + std::sqrt(damping_rate_ * damping_rate_ + room * squared_frequency_));
-}
-
-/// Springs that fit beside the elements' own step leave it alone; others bring the elements to 0.9 of their critical
-/// step, or below it.
-double Springs::limit_step(const State& state) const {
-  const double usual = step_in(4 - usual_share);
-  if (state.elements_share <= usual_share) return usual;
-  if (step_in(4 - state.elements_share) >= state.coming) return std::numeric_limits<double>::infinity();
-  return std::min(usual, state.coming * std::sqrt(usual_share / state.elements_share));
 }
 
 Vector Springs::translation(const State& state, Spring& spring) const {
@@ -138,32 +95,51 @@ Vector Springs::translation(const State& state, Spring& spring) const {
   const Vector along = length > 0 ? Vector(way / length) : Vector(Vector::Zero());
   if (spring.length > 0) {
     spring.elongation = length - spring.length + input.offset;
-    spring.damping = input.scale * law.damping * rate.dot(along) * along;
-    spring.tension = input.scale * (law.force(spring.elongation) + law.damping * rate.dot(along));
+    take_line(state, spring, rate.dot(along));
+    spring.damping = spring.resistance * along;
     return spring.tension * along;
   }
   spring.elongation = length;
   spring.damping = input.scale * law.damping * rate;
-  Vector pull = input.scale * (law.force(length) * along + law.damping * rate);
+  if (const double speed = rate.norm(); !law.rates.empty() && speed > 0)
+    spring.damping += input.scale * law.rates.at(speed) / speed * rate;
+  Vector pull = law.rates.empty() ? Vector(input.scale * (law.force(length) * along + law.damping * rate))
+                                  : Vector(input.scale * law.force(length) * along + spring.damping);
+  if (law.has_history()) pull = input.scale * law.update(way, state.dt, now(state), spring.history);
   spring.tension = pull.norm();
   return pull;
 }
 
-Vector Springs::torsion(const State& state, Spring& spring) const {
+/// Sets the tension along a line, and the part of it by the damper.
+void Springs::take_line(const State& state, Spring& spring, double rate) const {
   const SpringInput& input = spring.input;
   const SpringLaw& law = laws_[input.law];
+  spring.resistance = input.scale * law.damping * rate;
+  if (law.has_history()) {
+    const Vector elongation = spring.elongation * Vector::UnitX();
+    spring.tension = input.scale * law.update(elongation, state.dt, now(state), spring.history).x();
+  } else {
+    spring.tension = input.scale * (law.force(spring.elongation) + law.damping * rate);
+    if (law.rates.empty()) return;
+    spring.resistance += input.scale * law.rates.at(rate);
+    spring.tension += input.scale * law.rates.at(rate);
+  }
+}
+
+Vector Springs::torsion(const State& state, Spring& spring) const {
+  const SpringInput& input = spring.input;
   const Vector way = state.x[input.b.value] - state.x[input.a.value];
   const double length = way.norm();
   if (!(length > 0)) return Vector::Zero();
   const double rate = relative(state.w, input).dot(way) / length;
   spring.elongation += rate * state.dt;
-  spring.damping = input.scale * law.damping * rate / length * way;
-  spring.tension = input.scale * (law.force(spring.elongation) + law.damping * rate);
+  take_line(state, spring, rate);
+  spring.damping = spring.resistance / length * way;
   return spring.tension / length * way;
 }
 
 void Springs::add(State& state, Forces& forces) {
-  step_ = limit_step(state);
+  step_ = step_beside(state, rates_);
   for (Spring& spring : springs_) {
     const SpringInput& input = spring.input;
     const Vector damping = spring.damping;

@@ -1,27 +1,14 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/ids.hpp"
+#include "solver/condition/spring_law.hpp"
 #include "solver/rigid/rigid_bodies.hpp"
 #include "solver/state/force.hpp"
+#include "solver/state/step_beside.hpp"
 
 namespace gapcheck::solver {
-
-/// The force of a spring or damper as a function of its elongation u and its rate. For torsion: angle and moment.
-struct SpringLaw {
-  double stiffness = 0;  ///< force = stiffness u
-  double damping = 0;    ///< + damping du/dt
-  /// + a curve over u, linear between points, continued with the end slopes; points ascending in u.
-  std::vector<std::array<double, 2>> curve;
-
-  [[nodiscard]] double force(double elongation) const;
-  /// ∫ F du from zero, without damping.
-  [[nodiscard]] double energy(double elongation) const;
-  /// The largest |dF/du|.
-  [[nodiscard]] double largest_stiffness() const;
-};
 
 /// Two nodes, or one and the ground: the node's initial position.
 struct SpringInput {
@@ -62,22 +49,23 @@ class Springs : public Force {
     Vector ground = Vector::Zero();  ///< position of node b if there is none
     double length = 0;               ///< at the start
     double tension = 0, elongation = 0;
+    double resistance = 0;  ///< the part of the tension by dampers
+    SpringHistory history;
     Vector pull = Vector::Zero();     ///< force or moment on a; b has the opposite
     Vector damping = Vector::Zero();  ///< the part of it by dampers
   };
   void find_rates(const State& state, const RigidBodies& rigid);
-  [[nodiscard]] double step_in(double room) const;
-  [[nodiscard]] double limit_step(const State& state) const;
   [[nodiscard]] double stored() const;
   // They return the pull, and set its part by the damper.
   [[nodiscard]] Vector translation(const State& state, Spring& spring) const;
   [[nodiscard]] Vector torsion(const State& state, Spring& spring) const;
+  void take_line(const State& state, Spring& spring, double rate) const;
 
   std::vector<SpringLaw> laws_;
   std::vector<Spring> springs_;
-  double energy_ = 0, damped_ = 0;                   ///< work since the start; what dampers took of it
-  double initial_ = 0;                               ///< stored at the start
-  double squared_frequency_ = 0, damping_rate_ = 0;  ///< upper bounds: 1/s², 1/s
+  double energy_ = 0, damped_ = 0;  ///< work since the start; what dampers took of it
+  double initial_ = 0;              ///< stored at the start
+  ForceRates rates_;                ///< upper bounds
   double step_ = 0;
 };
 

@@ -17,6 +17,16 @@ std::vector<results::SpringForce> spring_states(const Run& run) {
   return list;
 }
 
+std::vector<results::AirbagRow> airbag_states(const Run& run) {
+  const Airbags* airbags = run.conditions().airbags;
+  std::vector<results::AirbagRow> list;
+  if (airbags == nullptr) return list;
+  for (const AirbagState& now : airbags->states())
+    list.push_back({run.model().airbags[now.airbag].id, now.volume, now.pressure, now.energy, now.rate_in, now.density,
+                    now.rate_out, now.mass, now.temperature, now.area});
+  return list;
+}
+
 std::vector<results::JointForce> joint_states(const Run& run) {
   std::vector<results::JointForce> list;
   const std::vector<RigidJoint>& joints = run.stepper().structure().rigid.joints();

@@ -58,6 +58,7 @@ void note_empty_files(const model::Model& model, std::vector<model::Output::Note
   note(output.rbdout, bodies, "rbdout", "rigid bodies");
   note(output.swforc, welds, "swforc", "welds");
   note(output.deforc, springs, "deforc", "discrete springs and dampers with PF = 0");
+  note(output.abstat, !model.airbags.empty(), "abstat", "airbags");
   note(output.jntforc, !model.joints.empty(), "jntforc", "joints");
   note(output.elout, elements, "elout", "*DATABASE_HISTORY of solids, beams or shells");
 }

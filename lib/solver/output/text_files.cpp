@@ -33,6 +33,13 @@ std::vector<results::LegendEntry> wall_titles(const model::Model& model) {
   return list;
 }
 
+std::vector<results::LegendEntry> airbag_titles(const model::Model& model) {
+  std::vector<results::LegendEntry> list;
+  for (const model::Airbag& airbag : model.airbags)
+    if (!airbag.title.empty()) list.push_back({airbag.id, airbag.title});
+  return list;
+}
+
 /// By StressKind.
 std::array<std::vector<results::LegendEntry>, 3> element_titles(const model::Model& model) {
   std::array<std::vector<results::LegendEntry>, 3> list;
@@ -190,6 +197,13 @@ class TextFileList {
         [](const State& at, const auto& rows) { return results::rwforc_text(at.time, rows); },
         [titles = wall_titles(model_)](BinoutWriter& binout, const State& at, const auto& rows) {
           results::add_rwforc(binout, titles, at.time, rows);
+        });
+    add(
+        "abstat", airbag_states(run).empty() ? 0 : output_.abstat,
+        results::abstat_header(header_, airbag_titles(model_)), airbag_states,
+        [](const State& at, const auto& rows) { return results::abstat_text(at.time, rows); },
+        [titles = airbag_titles(model_)](BinoutWriter& binout, const State& at, const auto& rows) {
+          results::add_abstat(binout, titles, at.time, rows);
         });
     add(
         "deforc", spring_states(run).empty() ? 0 : output_.deforc, results::deforc_header(header_), spring_states,

@@ -94,6 +94,79 @@ TEST(Loads, UnitsOfIncludes) {
   EXPECT_NEAR(loads.damping->value, 2e3, 1e-9);
 }
 
+TEST(Loads, Airbags) {
+  const Read read = read_text(
+      "*AIRBAG_SIMPLE_PRESSURE_VOLUME\n5,1,0,2.,3.,4.,5.,6.\n7.,0.5,8,9\n"
+      "*AIRBAG_SIMPLE_PRESSURE_VOLUME_ID\n77,a tyre\n6\n-7.,0.5\n"
+      "*AIRBAG_SIMPLE_AIRBAG_MODEL\n5,0,-2\n700.,980.,300.,4,0.7,-11.,100.,1.2\n12,290.\n"
+      "*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n78\n5\n700.,980.,300.,4,-13.,0.1,100.,1.2\n");
+  EXPECT_EQ(read.text(), "");
+  const std::vector<Airbag>& all = read.model.airbags;
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].kind, Airbag::Kind::pressure_volume);
+  EXPECT_EQ(all[0].keyword, "AIRBAG_SIMPLE_PRESSURE_VOLUME");
+  EXPECT_EQ(all[0].place.line, 2u);
+  EXPECT_EQ(all[0].id, 1);
+  EXPECT_EQ(all[0].set, 5);
+  EXPECT_TRUE(all[0].parts);
+  EXPECT_EQ(all[0].volume_scale, 2);
+  EXPECT_EQ(all[0].pressure_scale, 3);
+  EXPECT_EQ(all[0].excluded, 4);
+  EXPECT_EQ(all[0].damping, 5);
+  EXPECT_EQ(all[0].stagnation, 6);
+  EXPECT_EQ(all[0].coefficient, 7);
+  EXPECT_EQ(all[0].factor, 0.5);
+  EXPECT_EQ(all[0].curve, 8);
+  EXPECT_EQ(all[1].id, 77);
+  EXPECT_EQ(all[1].title, "a tyre");
+  EXPECT_EQ(all[1].coefficient, 0);
+  EXPECT_EQ(all[1].coefficient_curve, 7);
+  EXPECT_EQ(all[1].volume_scale, 1);
+  EXPECT_EQ(all[1].pressure_scale, 1);
+  EXPECT_EQ(all[2].kind, Airbag::Kind::simple);
+  EXPECT_EQ(all[2].id, 3);
+  EXPECT_FALSE(all[2].parts);
+  EXPECT_EQ(all[2].sensor, -2);
+  EXPECT_EQ(all[2].heat_volume, 700);
+  EXPECT_EQ(all[2].heat_pressure, 980);
+  EXPECT_EQ(all[2].temperature, 300);
+  EXPECT_EQ(all[2].curve, 4);
+  EXPECT_EQ(all[2].shape, 0.7);
+  EXPECT_EQ(all[2].area, 0);
+  EXPECT_EQ(all[2].area_curve, 11);
+  EXPECT_EQ(all[2].pressure, 100);
+  EXPECT_EQ(all[2].density, 1.2);
+  EXPECT_EQ(all[2].exit_curve, 12);
+  EXPECT_EQ(all[3].id, 78);
+  EXPECT_EQ(all[3].shape_curve, 13);
+  EXPECT_EQ(all[3].area, 0.1);
+  EXPECT_EQ(all[3].exit_curve, 0);
+}
+
+// Of tonnes, millimetres and seconds in a deck of kilograms, metres and seconds.
+TEST(Loads, AirbagsOfAnIncludeInOtherUnits) {
+  const std::string path = testing::TempDir() + "airbags_include.k";
+  std::ofstream(path) << "*AIRBAG_SIMPLE_AIRBAG_MODEL\n5,0,0,1.,1.,1e9\n7e8,9.8e8,300.,4,0.7,-11.,0.1,1.2e-12\n12\n"
+                         "*AIRBAG_SIMPLE_PRESSURE_VOLUME\n5\n0.2,1.\n";
+  const Read read = read_text("*INCLUDE_TRANSFORM\n" + path + "\n,,,,10,1000\n,,\n1000.,1.,0.001\n\n");
+  EXPECT_EQ(read.errors(), 0u) << read.text();
+  ASSERT_EQ(read.model.airbags.size(), 2u);
+  const Airbag& bag = read.model.airbags[0];
+  EXPECT_EQ(bag.set, 15);
+  EXPECT_EQ(bag.curve, 1004);
+  EXPECT_EQ(bag.area_curve, 1011);
+  EXPECT_EQ(bag.exit_curve, 1012);
+  EXPECT_NEAR(bag.excluded, 1, 1e-12);
+  EXPECT_NEAR(bag.heat_volume, 700, 1e-9);
+  EXPECT_NEAR(bag.heat_pressure, 980, 1e-9);
+  EXPECT_NEAR(bag.pressure, 1e5, 1e-6);
+  EXPECT_NEAR(bag.density, 1.2, 1e-12);
+  EXPECT_NEAR(bag.pressure_unit, 1e6, 1e-6);
+  EXPECT_NEAR(bag.flow_unit, 1000, 1e-9);
+  EXPECT_NEAR(bag.area_unit, 1e-6, 1e-18);
+  EXPECT_NEAR(read.model.airbags[1].coefficient, 2e5, 1e-6);
+}
+
 TEST(Loads, HourglassAndSteps) {
   const Read read = read_text(
       "*HOURGLASS_TITLE\nfirst\n4,5,0.05,0,1.2,0.03\n*PART\np\n1,1,1,0,4\n*CONTROL_HOURGLASS\n4,0.07\n"

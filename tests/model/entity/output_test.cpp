@@ -38,14 +38,15 @@ TEST(Output, IntervalsAndTitle) {
 
 TEST(Output, FilesThatARunDoesNotWriteAreNamedOnce) {
   const Read read = read_text(
-      "*DATABASE_GLSTAT\n0.1\n*DATABASE_ABSTAT\n0.5\n*DATABASE_NODFOR\n0.\n*DATABASE_SBTOUT\n,,7\n*DATABASE_ABSTAT\n"
+      "*DATABASE_GLSTAT\n0.1\n*DATABASE_DISBOUT\n0.5\n*DATABASE_NODFOR\n0.\n*DATABASE_SBTOUT\n,,7\n*DATABASE_DISBOUT\n"
       "0.5\n*DATABASE_BINARY_D3THDT\n0.5\n*DATABASE_SSSTAT\n*DATABASE_NODOUT_HF\n0.1\n");
   EXPECT_EQ(read.text(), "");
   ASSERT_EQ(read.model.output.all_notes().size(), 1u);
   EXPECT_EQ(read.model.output.all_notes()[0].place.line, 4u);
-  EXPECT_EQ(read.model.output.all_notes()[0].text,
-            "the deck asks for files that a run does not write: abstat, sbtout, d3thdt, the second nodout of the nodes "
-            "with HFO (*DATABASE_NODOUT_HF)")
+  EXPECT_EQ(
+      read.model.output.all_notes()[0].text,
+      "the deck asks for files that a run does not write: disbout, sbtout, d3thdt, the second nodout of the nodes "
+      "with HFO (*DATABASE_NODOUT_HF)")
       << "no interval: not asked for; sbtout has a curve of them";
 }
 

@@ -284,6 +284,35 @@ TEST(Materials, SpringsAndDampers) {
   EXPECT_EQ(materials[2].discrete->curve, 7);
   EXPECT_EQ(materials[2].discrete->rate_curve, 8);
   EXPECT_EQ(materials[3].keyword, "MAT_DAMPER_NONLINEAR_VISCOUS");
+  EXPECT_EQ(materials[3].discrete->kind, Kind::nonlinear_damper);
+  EXPECT_EQ(materials[3].discrete->curve, 7);
+}
+
+TEST(Materials, SpringsWithHistory) {
+  const Read read = read_text(
+      "*MAT_SPRING_ELASTOPLASTIC\n1,250.,50.,7.\n*MAT_SPRING_MAXWELL_TITLE\nm\n2,9.,8.,7.,6.,5.,1.\n"
+      "*MAT_SPRING_INELASTIC\n3,7,400.,-1.\n*MAT_S06\n4,7,8\n");
+  EXPECT_EQ(read.text(), "");
+  const auto& materials = read.model.materials;
+  ASSERT_EQ(materials.size(), 4u);
+  using Kind = DiscreteMaterial::Kind;
+  const DiscreteMaterial &plastic = *materials[0].discrete, &maxwell = *materials[1].discrete,
+                         &inelastic = *materials[2].discrete;
+  EXPECT_EQ(plastic.kind, Kind::plastic_spring);
+  EXPECT_EQ(plastic.constant, 250);
+  EXPECT_EQ(plastic.tangent, 50);
+  EXPECT_EQ(plastic.yield, 7);
+  EXPECT_EQ(maxwell.kind, Kind::maxwell_spring);
+  EXPECT_EQ(maxwell.constant, 9);
+  EXPECT_EQ(maxwell.long_time, 8);
+  EXPECT_EQ(maxwell.decay, 7);
+  EXPECT_EQ(maxwell.cutoff, 6);
+  EXPECT_EQ(maxwell.cutoff_force, 5);
+  EXPECT_EQ(maxwell.option, 1);
+  EXPECT_EQ(inelastic.kind, Kind::inelastic_spring);
+  EXPECT_EQ(inelastic.curve, 7);
+  EXPECT_EQ(inelastic.constant, 400);
+  EXPECT_EQ(inelastic.sense, -1);
   EXPECT_FALSE(materials[3].discrete.has_value());
 }
 

@@ -24,6 +24,7 @@ TEST(HistoryCurves, NamedAfterTheirEntities) {
                        {{results::StressKind::beam, 1, 1, {1, 2, 3, 4, 5, 6}, {}, 1},
                         {results::StressKind::shell, 1, 1, {}, {{{1, 2, 3, 4, 5, 6}, 0.5, 0, true}, {}}, 2}}}};
   run.deforc.states = {{0, {{21, false, {3, 0, 4}, -5, 0.25}, {22, true, {0, 0, 6}, 6, 0.5}}}};
+  run.abstat.states = {{0, {{41, 1, 2, 3, 4, 5, 6, 7, 8, 9}}}};
   run.jntforc.states = {{0, {{31, false, {0, 3, 4}, {1, 0, 0}}}}};
   run.intfor.surfaces = {{7, 1, "lid"}, {0, 0, "surface 2"}};
   run.intfor.forces = true;
@@ -55,6 +56,13 @@ TEST(HistoryCurves, NamedAfterTheirEntities) {
   EXPECT_EQ(value("deforc spring 21 change in length"), 0.25);
   EXPECT_EQ(value("deforc spring 22 z-moment"), 6);
   EXPECT_EQ(value("deforc spring 22 relative rotation"), 0.5);
+  EXPECT_EQ(value("abstat airbag 41 volume"), 1);
+  EXPECT_EQ(value("abstat airbag 41 pressure"), 2);
+  EXPECT_EQ(value("abstat airbag 41 internal energy"), 3);
+  EXPECT_EQ(value("abstat airbag 41 flow in"), 4);
+  EXPECT_EQ(value("abstat airbag 41 flow out"), 6);
+  EXPECT_EQ(value("abstat airbag 41 mass"), 7);
+  EXPECT_EQ(value("abstat airbag 41 temperature"), 8);
   EXPECT_EQ(value("jntforc joint 31 resultant force"), 5);
   EXPECT_EQ(value("jntforc joint 31 x-moment"), 1);
   EXPECT_EQ(value("intfor contact 7 side B largest pressure"), 8);

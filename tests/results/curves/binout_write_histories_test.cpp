@@ -43,6 +43,7 @@ struct AllRows {
   std::vector<ElementStress> elements;
   std::vector<SpringForce> springs;
   std::vector<JointForce> joints;
+  std::vector<AirbagRow> airbags;
 
   explicit AllRows(Numbers& n) {
     for (const std::int64_t id : {7, 3}) sections.push_back({id, n.vector(), n.vector(), n.vector(), n.next()});
@@ -76,6 +77,13 @@ struct AllRows {
     elements[0].points[0].effective = n.next();
     springs = {{1, false, n.vector(), n.next(), n.next()}, {2, true, n.vector(), n.next(), n.next()}};
     joints = {{1, false, n.vector(), n.vector()}, {2, true, n.vector(), n.vector()}};
+    for (const std::int64_t id : {4, 2}) {
+      AirbagRow& bag = airbags.emplace_back();
+      bag.airbag = id;
+      for (double* value : {&bag.volume, &bag.pressure, &bag.energy, &bag.rate_in, &bag.density, &bag.rate_out,
+                            &bag.mass, &bag.temperature, &bag.area})
+        *value = n.next();
+    }
   }
 
   /// Shells with four points in the plane.
@@ -95,13 +103,15 @@ struct AllRows {
     add_elout(binout, {}, 17, time, false, elements);
     add_deforc(binout, time, springs);
     add_jntforc(binout, time, joints);
+    add_abstat(binout, {{4, "bag"}}, time, airbags);
   }
 
   /// All numbers as the text files have them, but with all digits: what is printed is compared.
   [[nodiscard]] std::string text(double time) const {
     return secforc_text(time, sections) + spcforc_text(time, supports) + bndout_text(time, boundary) +
            rwforc_text(time, walls) + rbdout_text(17, time, bodies) + swforc_text(time, welds) +
-           elout_text(17, time, false, elements) + deforc_text(time, springs) + jntforc_text(time, joints);
+           elout_text(17, time, false, elements) + deforc_text(time, springs) + jntforc_text(time, joints) +
+           abstat_text(time, airbags);
   }
 };
 
@@ -160,6 +170,7 @@ AllRows read_rows(const RunResults& run, std::size_t i) {
     for (StressRow& point : element.points) point.plastic = false;
   all.springs = run.deforc.states.at(i).rows;
   all.joints = run.jntforc.states.at(i).rows;
+  all.airbags = run.abstat.states.at(i).rows;
   return all;
 }
 
@@ -252,6 +263,9 @@ TEST_F(BinoutWriteHistories, ArraysOfTheConverter) {
   EXPECT_EQ(arrays("/elout/shell/d000001").count("npl"), 0u) << "points in the plane have another layout";
   expect("/deforc/metadata", 2, "ids irot");
   expect("/deforc/d000001", 2, forces + "resultant_force displacement");
+  expect("/abstat/metadata", 2, "ids");
+  expect("/abstat/d000001", 2,
+         "volume pressure internal_energy dm_dt_in density dm_dt_out total_mass gas_temp surface_area");
   expect("/jntforc/joints/metadata", 2, "ids local");
   expect("/jntforc/joints/d000001", 2, forces + moments + "resultant_force resultant_moment");
 }

@@ -1,7 +1,8 @@
-// secforc, spcforc, bndout, rwforc, rbdout, swforc, elout, deforc, jntforc: what is written is read back, and the
-// layout is that of LS-DYNA's converter.
+// secforc, spcforc, bndout, rwforc, rbdout, swforc, elout, deforc, jntforc, abstat: what is written is read back, and
+// the layout is that of LS-DYNA's converter.
 #include <gtest/gtest.h>
 
+#include "results/history/airbag_states.hpp"
 #include "results/history/body_motion.hpp"
 #include "results/history/boundary_forces.hpp"
 #include "results/history/element_stress.hpp"
@@ -272,6 +273,36 @@ TEST(Deforc, LayoutAndRoundTrip) {
   }
 }
 
+TEST(Abstat, LayoutAndRoundTrip) {
+  const std::vector<AirbagRow> bags{{7, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5}, {12, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
+  const std::string text = abstat_header(header, {{7, "bag"}}) + abstat_text(0.5, bags) + abstat_text(1, bags);
+  expect_part(
+      text,
+      "\n\n      time   airbag/cv #  volume        pressure    internal energy      dm/dt in      density dm/dt "
+      "out  total mass gas temp. surface area\n"
+      " 5.00000E-01       7     1.5000E+00     2.5000E+00     3.5000E+00     4.5000E+00     5.5000E+00  "
+      "6.500E+00  7.500E+00  8.500E+00  9.500E+00\n");
+  const auto history = read_whole(read_abstat, text, 2, 2);
+  EXPECT_EQ(history.states[1].time, 1);
+  EXPECT_EQ(history.titles.size(), 1u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const AirbagRow& read = history.states[0].rows[i];
+    EXPECT_EQ(read.airbag, bags[i].airbag);
+    EXPECT_EQ(read.volume, bags[i].volume);
+    EXPECT_EQ(read.pressure, bags[i].pressure);
+    EXPECT_EQ(read.energy, bags[i].energy);
+    EXPECT_EQ(read.rate_in, bags[i].rate_in);
+    EXPECT_EQ(read.density, bags[i].density);
+    EXPECT_EQ(read.rate_out, bags[i].rate_out);
+    EXPECT_EQ(read.mass, bags[i].mass);
+    EXPECT_EQ(read.temperature, bags[i].temperature);
+    EXPECT_EQ(read.area, bags[i].area);
+  }
+  // A row may have the reaction force behind these.
+  const std::string longer = text.substr(0, text.size() - 1) + "  1.000E+00\n";
+  EXPECT_EQ(read_whole(read_abstat, longer, 2, 2).states[1].rows[1].area, 9);
+}
+
 // Rows of joint stiffnesses are left out.
 TEST(Jntforc, LayoutAndRoundTrip) {
   const std::vector<JointForce> joints{{5, false, {3, 0, -4}, {0, 1, 0}}, {6, true, {1, 2, 2}, {0, 0, -1}}};
@@ -309,7 +340,7 @@ TEST(HistoryFiles, HostileText) {
                            rbdout_text(1, 1, std::vector<BodyMotion>(1)) + swforc_text(1, std::vector<WeldForce>(1)) +
                            spcforc_text(1, {{{1, true, true, {}, {}}}, {}}) + rwforc_header(header, {}) +
                            rwforc_text(1, std::vector<WallForce>(1)) + deforc_text(1, std::vector<SpringForce>(1)) +
-                           jntforc_text(1, std::vector<JointForce>(1));
+                           jntforc_text(1, std::vector<JointForce>(1)) + abstat_text(1, std::vector<AirbagRow>(1));
   for (std::size_t cut = 0; cut < text.size(); cut += 11) {
     std::string part = text.substr(cut);
     if (part.size() > 40) part[40] = '*';
@@ -317,7 +348,7 @@ TEST(HistoryFiles, HostileText) {
     const auto states = [&](auto read) { return read(part, "f", diagnostics).states.size(); };
     for (const std::size_t number :
          {states(read_secforc), states(read_spcforc), states(read_bndout), states(read_rwforc), states(read_rbdout),
-          states(read_swforc), states(read_elout), states(read_deforc), states(read_jntforc)})
+          states(read_swforc), states(read_elout), states(read_deforc), states(read_jntforc), states(read_abstat)})
       EXPECT_LE(number, 9u);
   }
 }

@@ -240,6 +240,125 @@ TEST(Springs, OnARigidBody) {
   EXPECT_GT(stepper.energies().absorbed.springs, 0);
 }
 
+// S03 between a mass and the ground stops it after FY²/2K + FY u_p = m v²/2; it then swings about u_p.
+TEST(Springs, PlasticSpringStopsAMass) {
+  constexpr double step = 1e-4, speed = 0.9, energy = speed * speed;
+  Oscillation run = run_of(one_mass + part + "*MAT_SPRING_ELASTOPLASTIC\n1,100.,0.,3.\n", {Vector(0, speed, 0)}, step);
+  const double plastic = (energy - 9 / 200.) / 3;
+  double most = 0, least = 1;
+  for (int i = 0; i < 30000; ++i) {
+    go(run, 1);
+    const double y = run.stepper.state().x[0].y();
+    most = std::max(most, y);
+    if (i > 20000) least = std::min(least, y);
+    EXPECT_LT(run.springs->tension(0), 3 + 1e-12);
+  }
+  EXPECT_NEAR(most, plastic + 0.03, 1e-4);
+  EXPECT_NEAR(least, plastic - 0.03, 1e-4);
+  Absorbed held;
+  run.springs->held(held);
+  EXPECT_NEAR(held.springs, run.stepper.energies().absorbed.springs, 1e-5);
+  EXPECT_GT(held.springs, 3 * plastic - 1e-5);
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-10);
+}
+
+// S08 along a line: the masses fly into one another against k and part with KU, so slower by √(k / KU); the same card
+// for tension does not stop them.
+TEST(Springs, InelasticSpringGivesBackALittle) {
+  for (const int sense : {1, -1}) {
+    Oscillation run = run_of(
+        two_masses + part + fmt::format("*MAT_SPRING_INELASTIC\n1,7,800.,{}\n*DEFINE_CURVE\n7\n0.,0.\n1.,50.\n", sense),
+        {Vector(0.2, 0, 0), Vector(-0.3, 0, 0)}, 1e-4);
+    go(run, 6000);
+    const auto& v = run.stepper.state().v;
+    EXPECT_NEAR(v[1].x() - v[0].x(), sense == 1 ? 0.5 * std::sqrt(50 / 800.) : -0.5, 1e-3) << sense;
+    EXPECT_EQ(run.springs->tension(0), 0);
+    EXPECT_NEAR(run.stepper.energies().absorbed.springs, sense == 1 ? 0.5 * 1.2 * 0.25 * (1 - 50 / 800.) : 0, 1e-4);
+    Absorbed held;
+    run.springs->held(held);
+    EXPECT_NEAR(held.springs, run.stepper.energies().absorbed.springs, 1e-5);
+    EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-10);
+  }
+}
+
+// S05 along a line: 2 for what parts, 4 for what meets; each step multiplies the rate as a damper of that constant
+// does.
+TEST(Springs, NonlinearDamper) {
+  constexpr double step = 0.01, mass = 1.2;
+  for (const double speed : {0.5, -0.5}) {
+    Oscillation run =
+        run_of(two_masses + part + "*MAT_DAMPER_NONLINEAR_VISCOUS\n1,7\n*DEFINE_CURVE\n7\n-1.,-4.\n0.,0.\n1.,2.\n",
+               {Vector(0, 0, 0), Vector(speed, 0, 0)}, step);
+    const double constant = speed > 0 ? 2 : 4;
+    double rate = speed;
+    for (int n = 0; n < 60; ++n) {
+      go(run, 1);
+      EXPECT_NEAR(run.springs->tension(0), constant * rate, 1e-12);
+      rate *= 1 - constant * step / mass / (n == 0 ? 2 : 1);
+      EXPECT_NEAR(run.stepper.state().v[1].x() - run.stepper.state().v[0].x(), rate, 1e-12);
+    }
+    Absorbed held;
+    run.springs->held(held);
+    EXPECT_NEAR(held.springs, run.stepper.energies().absorbed.springs, 1e-13);
+    EXPECT_GT(held.springs, 0.5 * mass * 0.25 * 0.5);
+  }
+}
+
+// Without a line it resists the velocity as it is.
+TEST(Springs, NonlinearDamperOfALoneMass) {
+  Oscillation run = run_of(one_mass + part + "*MAT_S05\n1,7\n*DEFINE_CURVE\n7\n-1.,-4.\n0.,0.\n1.,2.\n",
+                           {Vector(0.3, 0, -0.4)}, 0.01);
+  go(run, 1);
+  EXPECT_NEAR((run.stepper.net().force[0] + Vector(0.6, 0, -0.8)).norm(), 0, 1e-13);
+  go(run, 200);
+  EXPECT_NEAR(run.stepper.energies().absorbed.springs + run.stepper.energies().kinetic, run.stepper.energies().initial,
+              1e-13);
+  EXPECT_LT(run.stepper.energies().kinetic, 0.01);
+}
+
+// S07 with an offset is stretched at once, with K0, and relaxes between nodes that hold still.
+TEST(Springs, MaxwellSpringRelaxes) {
+  const std::string deck =
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_MASS\n1,1,2.e9\n2,2,3.e9\n*ELEMENT_DISCRETE\n1,1,1,2,0,2.,0,0.1\n";
+  Oscillation run = run_of(deck + part + "*MAT_SPRING_MAXWELL\n1,100.,20.,4.,0.9,7.\n", {}, 1e-2);
+  for (int n = 0; n < 100; ++n) {
+    go(run, 1);
+    const double time = 0.01 * n;
+    if (time < 0.895) {
+      EXPECT_NEAR(run.springs->tension(0), 2 * (20 * 0.1 + 80 * 0.1 * std::exp(-4 * time)), 1e-6) << time;
+    } else if (time > 0.905) {
+      EXPECT_EQ(run.springs->tension(0), 14);
+    }
+  }
+  EXPECT_GT(run.stepper.net().force[0].x(), 0);  // tension pulls the first node to the second one
+}
+
+TEST(Springs, MaxwellEnergies) {
+  Oscillation run =
+      run_of(two_masses + part + "*MAT_SPRING_MAXWELL\n1,100.,20.,4.\n", {Vector(0, 0, 0), Vector(0.5, 0, 0)}, 1e-3);
+  for (int i = 0; i < 3000; ++i) {
+    go(run, 1);
+    Absorbed held;
+    run.springs->held(held);
+    EXPECT_NEAR(held.springs, run.stepper.energies().absorbed.springs, 1e-5);
+  }
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-10);
+  EXPECT_GT(run.stepper.energies().absorbed.springs, 0.1);
+}
+
+// Moments above FY turn the nodes on against FY alone: the spin falls by FY dt (1/J1 + 1/J2) in each step.
+TEST(Springs, PlasticTorsion) {
+  Oscillation run = run_of(two_masses + "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1,1\n\n*MAT_S03\n1,50.,0.,0.2\n",
+                           {Vector(0, 0, 0), Vector(0.5, 0, 0)}, 1e-3, {2, 3});
+  go(run, 100);
+  const double before = run.stepper.state().w[1].x() - run.stepper.state().w[0].x();
+  go(run, 50);
+  const double after = run.stepper.state().w[1].x() - run.stepper.state().w[0].x();
+  EXPECT_EQ(run.springs->tension(0), 0.2);
+  EXPECT_NEAR(before - after, 50 * 1e-3 * 0.2 * 5 / 6, 1e-12);
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-11);
+}
+
 TEST(Springs, WhatIsMissingOrNotCalculatedIsTold) {
   const auto outcome = [](const std::string& deck, Diagnostics& diagnostics) {
     const model::Read read = model::read_text(deck);
@@ -252,6 +371,15 @@ TEST(Springs, WhatIsMissingOrNotCalculatedIsTold) {
   EXPECT_EQ(outcome(one_mass + "*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_S01\n1,1.\n", unused).error().kind,
             Failure::Kind::missing_material);
   EXPECT_EQ(outcome(one_mass + part + "*MAT_S05\n1,7\n", unused).error().kind, Failure::Kind::bad_material);
+  EXPECT_EQ(outcome(one_mass + part + "*MAT_S06\n1,7,7\n", unused).error().kind, Failure::Kind::bad_material);
+  const std::string curve = "*DEFINE_CURVE\n7\n0.,0.\n1.,1.\n";
+  const SolverStatus senseless = outcome(one_mass + part + "*MAT_S08\n1,7\n" + curve, unused);
+  ASSERT_FALSE(senseless.ok());
+  EXPECT_NE(senseless.error().message.find("cannot tell tension from compression"), std::string::npos);
+  EXPECT_EQ(senseless.error().place.line, 6u);
+  EXPECT_FALSE(outcome(one_mass + part + "*MAT_S07\n1,5.,1.,1.,1.,2.\n", unused).ok());
+  EXPECT_TRUE(outcome(one_mass + part + "*MAT_S07\n1,5.,1.,1.\n", unused).ok());
+  EXPECT_TRUE(outcome(two_masses + part + "*MAT_S08\n1,7\n" + curve, unused).ok());
   EXPECT_EQ(outcome(one_mass + part + "*MAT_S04\n1,7\n", unused).error().kind, Failure::Kind::bad_material);
   Diagnostics diagnostics;
   EXPECT_TRUE(outcome("*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0,5\n2,2,1,0\n3,3,1,0\n" +
