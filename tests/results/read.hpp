@@ -51,7 +51,7 @@ inline std::string read_bytes(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline const ContactSummary* contact(const Report& report, std::int64_t id) {
+inline const ContactSummary* contact_of(const Report& report, std::int64_t id) {
   const auto found =
       std::find_if(report.contacts.begin(), report.contacts.end(), [&](const auto& c) { return c.id == id; });
   return found == report.contacts.end() ? nullptr : &*found;

@@ -67,8 +67,8 @@ TEST(SolverLogFiles, EightRanksAreMergedInAnyOrder) {
     const Report& report = result.value();
     EXPECT_FALSE(diagnostics.has_errors());
     EXPECT_EQ(report.tie_failures.size(), 17u);  // 2 of each rank, and the last one's third
-    EXPECT_EQ(contact(report, 5)->untied, 17u);
-    EXPECT_EQ(contact(report, 2)->reported_penetrations, 28u);
+    EXPECT_EQ(contact_of(report, 5)->untied, 17u);
+    EXPECT_EQ(contact_of(report, 2)->reported_penetrations, 28u);
     ASSERT_EQ(report.run->messages.size(), 1u);
     EXPECT_EQ(report.run->messages[0].count, 1u);
     EXPECT_TRUE(report.run->mpp);
@@ -92,7 +92,7 @@ TEST(SolverLogFiles, MessagAndD3hspOfOneRunCountOnce) {
     const Report& report = result.value();
     EXPECT_EQ(contact_ids(report), (std::vector<std::int64_t>{7, 3, 12, 1, 2}));
     EXPECT_EQ(report.penetrations.size(), 2u);
-    EXPECT_EQ(contact(report, 2)->reported_penetrations, 3u);
+    EXPECT_EQ(contact_of(report, 2)->reported_penetrations, 3u);
     ASSERT_EQ(report.run->messages.size(), 1u);
     EXPECT_EQ(report.run->messages[0].count, 1u);
   }

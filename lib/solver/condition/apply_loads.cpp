@@ -97,12 +97,12 @@ void add_follower(ConditionBuilder& builder, const model::ConcentratedLoad& load
   if (!followed) return;
   if (load.rigid) {
     if (const auto body = builder.body(load.part, load.keyword, load.place))
-      loads.follow(*body, true, moment, *followed, value);
+      loads.follow_normal(*body, true, moment, *followed, value);
     return;
   }
   for (const NodeIndex node : builder.nodes(load.nodes, load.keyword, load.place)) {
     for (std::size_t k = 0; k < 3; ++k) check_target(builder, load, node, k + (moment ? 3 : 0));
-    loads.follow(node.value, false, moment, *followed, value);
+    loads.follow_normal(node.value, false, moment, *followed, value);
   }
 }
 

@@ -49,7 +49,7 @@ void ConcentratedLoads::add_body(std::size_t body, std::size_t freedom, const Ti
       {static_cast<std::uint32_t>(body), static_cast<std::uint8_t>(freedom), true, position_in(values_, value)});
 }
 
-void ConcentratedLoads::follow(std::size_t target, bool body, bool moment, const std::array<NodeIndex, 3>& nodes,
+void ConcentratedLoads::follow_normal(std::size_t target, bool body, bool moment, const std::array<NodeIndex, 3>& nodes,
                                const TimedValue& value) {
   followers_.push_back({static_cast<std::uint32_t>(target), body, moment, nodes, position_in(values_, value)});
 }

@@ -206,26 +206,6 @@ TEST(Fix, BoundaryConditionsHoldTheirDirections) {
     }
 }
 
-/// Every line is as before but for the coordinates of the nodes that the report lists.
-void expect_only_listed_lines(const std::string& before, const FixRun& run) {
-  std::istringstream a(before), b(run.text);
-  std::set<std::uint32_t> listed;
-  for (const MovedNode& m : run.report().moved)
-    if (m.file == 0) listed.insert(m.line);
-  std::string x, y;
-  for (std::uint32_t line = 1; std::getline(a, x); ++line) {
-    ASSERT_TRUE(std::getline(b, y));
-    if (!listed.contains(line)) {
-      EXPECT_EQ(x, y) << line;
-      continue;
-    }
-    EXPECT_NE(x, y) << line;
-    EXPECT_EQ(x.substr(0, 8), y.substr(0, 8)) << line;
-    EXPECT_EQ(x.substr(std::min<std::size_t>(56, x.size())), y.substr(std::min<std::size_t>(56, y.size()))) << line;
-  }
-  EXPECT_FALSE(std::getline(b, y));
-}
-
 std::vector<std::filesystem::path> decks() {
   std::vector<std::filesystem::path> list;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(GAPCHECK_ROOT) / "data"))

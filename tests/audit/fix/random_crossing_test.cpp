@@ -96,6 +96,7 @@ TEST(FixRandomCrossing, IsPartedOrNamed) {
     EXPECT_EQ(after.size(), report.crossings_after) << "seed " << seed;
     for (const audit::ElementPair& pair : after) EXPECT_TRUE(before.contains(pair)) << "seed " << seed;
     const FixReport again = fix_text(run.text).report();
+    expect_only_listed_lines(text, run);
     EXPECT_EQ(penetrating_before(again), penetrating_after(report)) << "seed " << seed;
     EXPECT_LE(penetrating_before(again), penetrating_before(report)) << "seed " << seed;
     std::set<std::pair<int, std::int64_t>> named_nodes;

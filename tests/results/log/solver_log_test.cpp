@@ -172,7 +172,7 @@ TEST(SolverLog, TieReasonsOfAllVersions) {
   EXPECT_EQ(found,
             "4:3:far 4:1:notfound 4:2:notfound 5:8:short 5:9:rigslav 5:10:rigmast 5:6:conflict 5:7:conflict "
             "92:4:notfound 101:43:far ");
-  EXPECT_EQ(contact(read.report, 101)->untied, 1u);
+  EXPECT_EQ(contact_of(read.report, 101)->untied, 1u);
   EXPECT_EQ(read.report.tie_failures.back().segment_number, 31u);
   EXPECT_TRUE(read.report.run->messages.empty());
 }
@@ -278,7 +278,7 @@ TEST(SolverLog, SurfaceTimestepsOfBothVocabularies) {
   EXPECT_EQ(run.surface_timesteps[1].type, "a3");
   EXPECT_EQ(run.surface_timesteps[1].timestep, 1e16);
   EXPECT_EQ(run.contact_timestep, 3.179e-04);
-  EXPECT_EQ(contact(read.report, 80086)->type, "a3");
+  EXPECT_EQ(contact_of(read.report, 80086)->type, "a3");
 }
 
 TEST(SolverLog, RunFacts) {
@@ -313,7 +313,7 @@ TEST(SolverLog, RunFacts) {
   EXPECT_EQ(run.termination, SolverRun::Termination::normal);
   EXPECT_EQ(run.problem_time, 0.12);
   EXPECT_EQ(run.cycles, 11);
-  EXPECT_EQ(contact(read.report, 7)->contact_time_s, 8.0486e-04);
+  EXPECT_EQ(contact_of(read.report, 7)->contact_time_s, 8.0486e-04);
 }
 
 TEST(SolverLog, VersionFromTheStampAlone) {
@@ -339,9 +339,9 @@ number of warning messages                  =  2
 )");
   EXPECT_FALSE(read.errors) << first_error(read);
   EXPECT_EQ(contact_ids(read.report), (std::vector<std::int64_t>{2, 3, 4}));
-  EXPECT_EQ(contact(read.report, 2)->reported_penetrations, 0u);
-  EXPECT_EQ(contact(read.report, 3)->reported_penetrations, 1u);
-  EXPECT_EQ(contact(read.report, 4)->reported_penetrations, 12u);
+  EXPECT_EQ(contact_of(read.report, 2)->reported_penetrations, 0u);
+  EXPECT_EQ(contact_of(read.report, 3)->reported_penetrations, 1u);
+  EXPECT_EQ(contact_of(read.report, 4)->reported_penetrations, 12u);
   ASSERT_EQ(read.report.penetrations.size(), 2u);
   EXPECT_EQ(read.report.penetrations[0].node, 1234);
   EXPECT_EQ(read.report.penetrations[0].depth, 0.25);
@@ -359,7 +359,7 @@ TEST(SolverLog, MortarLines) {
       " elements 14606 and 10263 on this processor\n \n"
       " *** Warning Penetration is close to maximum before release\n \n");
   EXPECT_FALSE(read.errors) << first_error(read);
-  EXPECT_NE(contact(read.report, 1010), nullptr);
+  EXPECT_NE(contact_of(read.report, 1010), nullptr);
   ASSERT_EQ(read.report.run->messages.size(), 2u);
   std::string kinds;
   for (const auto& message : read.report.run->messages) kinds += message.kind + " ";
