@@ -144,7 +144,7 @@ TEST_F(FixProgram, ARunProvesTheCorrection) {
 
 TEST_F(FixProgram, ADeckThatIsNotCalculatedIsNotProven) {
   std::string deck = content(folder_ / "data/two_plates.k");
-  deck.insert(deck.find("*END"), "*AIRBAG_SIMPLE_PRESSURE_VOLUME\n1,0\n1.,1.\n");
+  deck.insert(deck.find("*END"), "*AIRBAG_ADIABATIC_GAS_MODEL\n1,0\n1.,1.\n");
   std::ofstream(folder_ / "airbag.k") << deck;
   const Ended refused = gapcheck("fix airbag.k --dry-run --verify");
   EXPECT_EQ(refused.code, 1);

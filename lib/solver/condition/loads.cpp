@@ -50,7 +50,7 @@ void ConcentratedLoads::add_body(std::size_t body, std::size_t freedom, const Ti
 }
 
 void ConcentratedLoads::follow_normal(std::size_t target, bool body, bool moment, const std::array<NodeIndex, 3>& nodes,
-                               const TimedValue& value) {
+                                      const TimedValue& value) {
   followers_.push_back({static_cast<std::uint32_t>(target), body, moment, nodes, position_in(values_, value)});
 }
 

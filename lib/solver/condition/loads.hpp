@@ -31,7 +31,7 @@ class ConcentratedLoads : public Force {
   void add_body(std::size_t body, std::size_t freedom, const TimedValue& value);
   /// A force, or moment, on a node or body that follows the normal of three nodes: (x₂ − x₁) × (x₃ − x₁).
   void follow_normal(std::size_t target, bool body, bool moment, const std::array<NodeIndex, 3>& nodes,
-              const TimedValue& value);
+                     const TimedValue& value);
   void add(State& state, Forces& forces) override { add_at(state, forces); }
   void add_at(const State& state, Forces& forces) const;
   /// Nodes, or rigid bodies, that it acts on, each once, ascending.

@@ -107,11 +107,11 @@ TEST_F(Trial, CountsNodesThatARunMoves) {
 TEST_F(Trial, SaysWhyADeckIsNotRun) {
   TrialSettings settings;
   settings.cycles = 3;
-  const std::string deck = two_shells(0.15, pushing, "*AIRBAG_SIMPLE_PRESSURE_VOLUME\n1,0\n1.,1.\n");
+  const std::string deck = two_shells(0.15, pushing, "*AIRBAG_ADIABATIC_GAS_MODEL\n1,0\n1.,1.\n");
   const FixProof refused = prove(deck, lift(0.15, 0.21), settings);
   EXPECT_FALSE(refused.before.ran || refused.after.ran);
   ASSERT_EQ(refused.after.start.refused.size(), 1U);
-  EXPECT_EQ(refused.after.start.refused[0].keyword, "AIRBAG_SIMPLE_PRESSURE_VOLUME");
+  EXPECT_EQ(refused.after.start.refused[0].keyword, "AIRBAG_ADIABATIC_GAS_MODEL");
   EXPECT_EQ(refused.before.forced_at_start(), 4U) << "the start is followed all the same";
   EXPECT_FALSE(refused.holds()) << "what was not run is not proven";
   settings.leave_out = true;
