@@ -2,7 +2,7 @@
 import math
 
 from .contacts import contact
-from .mesh import Mesh, even, fields, graded, history, node_set, part, smooth, start
+from .mesh import Mesh, even, fields, graded, history, node_set, part, segment_set, smooth, start
 from .problem import Problem, Value
 
 POISSON, PLANE = 0.3, 1 - 0.3 ** 2
@@ -117,12 +117,13 @@ def pin_deck(level, variant):
     core = sorted(n for layer in pin for n in layer[0])
     rim = sorted(n for layer in plate for n in layer[-1])
     move = 2.6 * CLEARANCE
-    return (start("pin in a hole (Persson)", "E = density = 1, radius of the hole 1, plane strain", 40.0, 1.0, 0.6)
+    return (start("pin in a hole (Persson)", "E = density = 1, radius of the hole 1, plane strain", 35.0, 1.0, 0.4)
             + history(core[:1]) + part(1, 1, 1, "pin") + part(2, 1, 1, "plate") + "*SECTION_SOLID\n" + fields(1, 1)
             + "*MAT_ELASTIC\n" + fields(1, 1.0, 1.0, POISSON) + node_set(1, core) + node_set(2, rim)
             + "*BOUNDARY_SPC_SET\n" + fields(2, 0, 1, 1, 1) + "*BOUNDARY_PRESCRIBED_MOTION_SET\n"
             + fields(1, 3, 2, 1, -1.0) + smooth(1, 25.0, move) + "*DAMPING_GLOBAL\n" + fields(0, 0.4)
-            + contact(variant, scale=20.0) + mesh.text() + "*END\n")
+            + segment_set(1, list(zip(pin[0][-1], pin[1][-1]))) + segment_set(2, list(zip(plate[0][0], plate[1][0]))[::-1])
+            + contact(variant, kinds=(0, 0), scale=60.0, soft_scale=1.0, segment_scale=20.0, depth=width / 10) + mesh.text() + "*END\n")
 
 
 def shifted(point, z):
@@ -135,8 +136,8 @@ def pin_values(run, level, variant):
     load = 2 * sum(force[2] for _, force, _ in found) / width
     half = half_angle_of(load * PLANE / CLEARANCE)
 
-    def turn(p):
-        return math.atan2(p[0], -(p[2] + CLEARANCE))
+    def turn(p):  # around the middle of the hole
+        return math.atan2(p[0], -p[2])
     sizes = [(turn(p), math.hypot(force[0], force[2])) for p, force, _ in found]
     spread = math.sqrt(sum(f * a * a for a, f in sizes) / sum(f for _, f in sizes))
     steps = [half * (i + 0.5) / 2000 for i in range(2000)]
