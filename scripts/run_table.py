@@ -43,6 +43,18 @@ def end_time(path):
         return None
 
 
+def eroded(results):
+    """Energy of failed elements at the end, as a share of the total, from glstat; text."""
+    path = results / "glstat"
+    text = path.read_text(encoding="ascii") if path.exists() else ""
+
+    def last(label):
+        found = re.findall(rf"^ {label}[ .]*\.\s*(\S+)", text, re.MULTILINE)
+        return float(found[-1]) if found else 0.0
+    energy = sum(last(f"eroded {kind} energy") for kind in ("kinetic", "internal", "hourglass"))
+    return f"{100 * energy / last('total energy'):.1f} %" if energy else "–"
+
+
 def unsupported(messages):
     """Keywords with the reason, each once, in the order of the deck."""
     found = {}
@@ -69,10 +81,11 @@ def tried(program, deck, root, folder, cycles):
     messages = done.stderr
     if done.returncode == 0:
         time, count = re.search(r"at time (\S+), cycle (\d+)", done.stdout).groups()
-        ratio = re.search(r"energy ratio +(\S+)", done.stdout)[1]
+        ratio, by_state = (re.search(rf"^  {label} +(\S+)", done.stdout, re.MULTILINE)[1] for label in ("energy ratio", "by the state"))
         end, force = end_time(deck), largest_force(folder)
         reached = "its end" if "Normal end" in done.stdout else f"{100 * float(time) / end:.1f} %" if end else "–"
-        return "runs", (f"| {name} | {float(time.rstrip(',')):.4g} | {reached} | {int(count):,} | {ratio} | "
+        return "runs", (f"| {name} | {float(time.rstrip(',')):.4g} | {reached} | {int(count):,} | {ratio} | {by_state} | "
+                        f"{eroded(folder)} | "
                         f"{'–' if force is None else f'{force:.4g}'} |")
     # A deck that lacks something is a piece, whatever else it has: nothing could run it.
     lacks = [what for pattern, what in PIECES if re.search(rf"error: .*{pattern}", messages)]
@@ -99,8 +112,8 @@ def section(program, root, folder, cycles=CYCLES, most=None):
 Every deck at hand that no other deck includes, for at most {cycles:,} cycles; car5 with parameters (bumper 3, hood 1).
 "Reached" is the share of the deck's end time. The force is the largest resultant of a contact with two sides.
 
-| deck | time | reached | cycles | energy ratio | contact force |
-|---|---:|---:|---:|---:|---:|
+| deck | time | reached | cycles | energy ratio | by the state | eroded | contact force |
+|---|---:|---:|---:|---:|---:|---:|---:|
 {listed["runs"]}
 
 These {len(rows["refused"])} decks need what LS-DYNA has and the solver does not: it names the keywords, with file and line, before the first

@@ -44,7 +44,7 @@ RADIUS_OF_CONTACT = 0.04  # by the approach a²/R
 
 def ball_deck(level, variant):
     """Half of the ball, its equator pushed towards the plate below."""
-    h = RADIUS_OF_CONTACT / 3 / 2 ** level
+    h = RADIUS_OF_CONTACT / 2 / 2 ** level
     across = graded(h, 1.5 * RADIUS_OF_CONTACT, 1.0, 1.8 ** (1 / 2 ** level))
     mesh = Mesh()
     ids = mesh.quarter(1, across, [q - 1 for q in across[:-1]] + [0.0], on_ball)
@@ -104,7 +104,7 @@ section; hourglass stiffness would resist every radial motion that is not propor
 ball nor strains of p₀ / E = 0.028 matter. It is measured by the forces on the nodes, Σ F r² / Σ F = 2/5 a²; p₀ by the force
 that the nodes within a / 2 carry, over ∫ √(1 − r²/a²) dA; both where the nodes are at the end, since the surface shrinks by
 (1 − 2 ν)(1 + ν) p / E. The shortening is that of the axis down to a depth of about 2 a, against the strains of Hertz' stresses
-(Johnson, equation 3.45). The meshes have 3, 6 and 12 bricks over the contact radius. The contact is that of the segments of
+(Johnson, equation 3.45). The meshes have 2, 4 and 8 bricks over the contact radius. The contact is that of the segments of
 the ball's lower half. SOFT 0: SFSA = SFSB = 100, SOFT 1: SOFSCL = 1, SOFT 2: SFSA = SFSB = 20, mortar: SFSA = SFSB = 100 and PENMAX a tenth of
 a brick; TSSFAC = 0.4.
 """, ball_deck, ball_values, VARIANTS, cause="""\
@@ -126,7 +126,7 @@ def ball_speed():
 
 
 def ball_impact_deck(level, variant):
-    h = IMPACT_RADIUS / 1.25 / 2 ** level
+    h = IMPACT_RADIUS / 2 ** level
     growth = 1.7 ** (1 / 2 ** level)
     fine = graded(h, 1.5 * IMPACT_RADIUS, 1.0, growth)
     coarse = graded(0.25 / 2 ** level, 0.0, 1.0, growth)
@@ -164,7 +164,7 @@ a = 0.04, by Hertz' theory of impact (Hertz 1881; Johnson, Contact Mechanics, 19
 
     ½ m v² = 8/15 E* √R δ^(5/2)      F = 4/3 E* √R δ^(3/2)      T = 4 √π Γ(2/5) / (5 Γ(9/10)) δ / v      J = 2 m v
 
-The mesh is made as that of the [ball at rest](hertz_ball.md), with 1.25, 2.5 and 5 bricks over the contact radius; contacts and
+The mesh is made as that of the [ball at rest](hertz_ball.md), with 1, 2 and 4 bricks over the contact radius; contacts and
 factors are the same.
 """, ball_impact_deck, ball_impact_values, VARIANTS, cause="""\
 Hertz takes the approach from half-spaces. The middle of a ball is not infinitely far away: its approach is smaller by

@@ -123,7 +123,7 @@ def pin_deck(level, variant):
             + "*BOUNDARY_SPC_SET\n" + fields(2, 0, 1, 1, 1) + "*BOUNDARY_PRESCRIBED_MOTION_SET\n"
             + fields(1, 3, 2, 1, -1.0) + smooth(1, 25.0, move) + "*DAMPING_GLOBAL\n" + fields(0, 0.4)
             + segment_set(1, list(zip(pin[0][-1], pin[1][-1]))) + segment_set(2, list(zip(plate[0][0], plate[1][0]))[::-1])
-            + contact(variant, kinds=(0, 0), scale=60.0, soft_scale=1.0, segment_scale=20.0, depth=width / 10) + mesh.text() + "*END\n")
+            + contact(variant, kinds=(0, 0), scale=30.0, soft_scale=1.0, segment_scale=20.0, depth=width / 10) + mesh.text() + "*END\n")
 
 
 def shifted(point, z):
@@ -150,7 +150,7 @@ def pin_values(run, level, variant):
 PIN = Problem(
     "pin", "Pin in a hole", """\
 Half of a pin in a hole (radius R = 1, clearance ΔR = 0.005 R; E = 1, ν = 0.3, plane strain, frictionless) of a plate that is held at
-the radius 8. A core of the pin of a quarter of its radius moves down, smoothly over the time 25, and is held until 40. With the
+the radius 8. A core of the pin of a quarter of its radius moves down, smoothly over the time 25, and is held until 35. With the
 force Q per length and the half angle ε of contact (Persson 1964; M. Ciavarella and P. Decuzzi, Int. J. Solids Struct. 38, 2001, equal
 materials), b = tan(ε/2), y = tan(φ/2):
 
@@ -158,7 +158,8 @@ materials), b = tan(ε/2), y = tan(φ/2):
 
     p R / Q = 2/π √(b² − y²) / (√(b² + 1) (1 + y²)) + 1 / (2 π b² (1 + b²)) ln((√(b² + 1) + √(b² − y²)) / (√(b² + 1) − √(b² − y²)))
 
-The spread is √(∫ p φ² / ∫ p). SOFT 0 and mortar have SFSA = SFSB = 20, SOFT 1 and 2 SOFSCL = 0.4.
+The spread is √(∫ p φ² / ∫ p), where the nodes are at the end. The contact is that of the segments of pin and hole. SOFT 0:
+SFSA = SFSB = 30, SOFT 1: SOFSCL = 1, SOFT 2: SFSA = SFSB = 20, mortar: SFSA = SFSB = 30 and PENMAX a tenth of a brick.
 """, pin_deck, pin_values, ("SOFT 0", "SOFT 1", "SOFT 2", "mortar"), levels=(0, 1), cause="""\
 The clearance is small, so the penetration of the springs is a part of it; it falls with the edges. The plate ends at the radius 8
 instead of infinity.

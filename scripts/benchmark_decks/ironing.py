@@ -33,7 +33,7 @@ def ironing_deck(level, variant):
     across = even(round(2 * HALF / h / 1.17), -HALF, HALF)
     block = mesh.block(2, across, [0.0, h], graded(1.17 * h, 3 * h, 1.0, growth), foot, lambda i, j, k: "y")
     top = sorted(n for row in block[-1] for n in row)
-    return (start("block that irons a slab", "E = density = height = 1, plane strain", END, 0.25, 0.6)
+    return (start("block that irons a slab", "E = density = height = 1, plane strain", END, 0.25, 0.4)
             + history([slab[-1][0][0], top[0]]) + part(1, 1, 1, "slab") + part(2, 1, 2, "block") + "*SECTION_SOLID\n"
             + fields(1, 1) + "*MAT_ELASTIC\n" + fields(1, 1.0, 1.0, POISSON) + "*MAT_ELASTIC\n"
             + fields(2, HARD, HARD, POISSON) + node_set(1, top)
@@ -41,7 +41,7 @@ def ironing_deck(level, variant):
             + "*BOUNDARY_PRESCRIBED_MOTION_SET\n" + fields(1, 1, 0, 2, SPEED)
             + curve(2, [(0, 0), (PRESSED, 0), (PRESSED + 10, 1), (10 * END, 1)]) + "*DAMPING_GLOBAL\n" + fields(0, 1.0)
             + segment_set(1, slab[-1]) + segment_set(2, block[0][::-1])
-            + contact(variant, (2, 1), (0, 0), scale=20.0, friction=(FRICTION, FRICTION, 0.0)) + mesh.text() + "*END\n")
+            + contact(variant, (2, 1), (0, 0), scale=30.0, soft_scale=1.0, friction=(FRICTION, FRICTION, 0.0), segment_scale=20.0, depth=h / 10) + mesh.text() + "*END\n")
 
 
 def forces(run, level):

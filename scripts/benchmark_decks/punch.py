@@ -48,7 +48,7 @@ def punch_deck(level, variant):
             + "*MAT_RIGID\n" + fields(2, 1.0, 100.0, 0.3) + fields(1.0, 4, 7) + "\n"
             + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + fields(2, 3, 2, 1) + smooth(1, 30.0, -0.016)
             + "*DAMPING_GLOBAL\n" + fields(0, 0.3) + segment_set(1, ids[-1])
-            + contact(variant, kinds=(0, 3), scale=100.0, soft_scale=1.0, segment_scale=20.0, depth=h / 10) + mesh.text() + "*END\n")
+            + contact(variant, kinds=(0, 3), scale=40.0, soft_scale=1.0, segment_scale=20.0, depth=h / 10) + mesh.text() + "*END\n")
 
 
 def punch_values(run, level, variant):
@@ -70,16 +70,17 @@ def punch_values(run, level, variant):
 PUNCH = Problem(
     "punch", "Punch with rounded edges", """\
 A rigid punch, flat over 2 a = 1 and rounded beyond by parabolas of the radius R = 40, on an elastic half-plane (E = 1, ν = 0.3; a
-square of 8 x 8 in plane strain, half by symmetry, held below). It moves down by 0.016, smoothly over the time 30, damped, and stays until
-50. With the load P per length (Ciavarella, Hills and Monno, J. Mech. Eng. Sci. 212, 1998), sin φ₀ = a / b, x = b sin φ:
+block of 16 x 8 in plane strain, held below). It moves down by 0.016, smoothly over the time 30, damped, and stays until
+45. With the load P per length (Ciavarella, Hills and Monno, J. Mech. Eng. Sci. 212, 1998), sin φ₀ = a / b, x = b sin φ:
 
     2 P R / E* a² = (π − 2 φ₀) / 2 sin² φ₀ − cot φ₀      E* = E / (1 − ν²)
 
     b p / P = 2/π / (π − 2 φ₀ − sin 2 φ₀) · ((π − 2 φ₀) cos φ + sin φ ln |sin(φ + φ₀) / sin(φ − φ₀)| + sin φ₀ ln |tan((φ + φ₀)/2) tan((φ − φ₀)/2)|)
 
-The spread is √(∫ p x² / ∫ p). SOFT 0 and mortar have SFSA = SFSB = 40, SOFT 1 and 2 SOFSCL = 0.4.
+The spread is √(∫ p x² / ∫ p). The meshes have squares of 1/5, 1/10 and 1/20 under the punch. The contact is that of the segments of the
+surface. SOFT 0: SFSA = SFSB = 40, SOFT 1: SOFSCL = 1, SOFT 2: SFSA = SFSB = 20, mortar: SFSA = SFSB = 40 and PENMAX a tenth of a brick.
 """, punch_deck, punch_values, VARIANTS, cause="""\
-The springs are an elastic layer between the bodies, as thick as a brick: it evens the pressure out, with order 1. The node in the
-middle lies on the plane of symmetry and has half of a share of the surface; with SOFT 0 it has the spring of a whole node all the
-same, so it takes too much at any mesh ([contact](../solver-contact.md#limits)). The springs of SOFT 1 and 2 follow the masses.
+The greatest pressure is a narrow peak beside the end of the flat, which a node averages over an edge. The springs are an elastic layer
+between the bodies, which evens the pressure out, with order 1. Both are held whole, so no node has half a share of the surface and a
+whole spring.
 """)

@@ -57,8 +57,8 @@ SOFSCL = 0.4; the contact is that of the segments at the end of the rod.
 """, wall_deck, wall_values, (WALL, SPRINGS) + VARIANTS, levels=(0, 1, 2, 3, 4), column="stopped by", cause="""\
 The wall cannot pull, so the rod leaves when half of the front that comes back has arrived; what a front that is smeared over a length w
 brings later is lost: a share of w / 8 L of the impulse, twice that of the rebound. The linear bulk viscosity (Q2 = 0.06), which goes with the
-edges, smears a front like diffusion, with the square root of the edges. That is the order of the rebound in the first rows. Without it,
+edges, smears a front like diffusion, with the square root of the edges. That is the order of the rebound by impulses. Without it,
 the rebound by impulses is 0.9 % too small with 160 bricks in place of 1.7 %, and the order is 2/3, that of the dispersion
-of the mesh. The impulses stop nodes plastically; that is of order 1, so less. Springs hold the rod until the front has passed
-through them. The times are those of cycles, which are 0.28, 0.14, 0.07, ... long: errors below them have no order.
+of the mesh. The impulses stop nodes plastically; that is of order 1, so less. Springs let the force begin and end later, and what they
+store comes back. The energy ratio leaves out the work of the bulk viscosity, as LS-DYNA's does. The times are those of cycles, which are 0.28, 0.14, 0.07, ... long: errors below them have no order.
 """)
