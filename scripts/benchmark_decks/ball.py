@@ -8,7 +8,7 @@ from .problem import Problem, Value
 POISSON = 0.3
 PLANE = 1 - POISSON ** 2  # E* = E / PLANE beside a rigid body; E = R = density = 1
 PLATE, GAP = 0.02, 1e-5
-SCALE, SOFT_SCALE, SEGMENT_SCALE, FACTOR = 100.0, 1.0, 20.0, 0.4
+SCALE, SOFT_SCALE, SEGMENT_SCALE, FACTOR = 50.0, 1.0, 20.0, 0.4
 PUSHED, END, HOURGLASS = 3.0, 4.5, 0.002
 WHOLE = math.pi  # of Mesh.quarter, a triangle in place of a quarter of a circle
 
@@ -32,7 +32,7 @@ def plate_and_ball(mesh, ids, variant, h):
     mesh.sheet(2, [-0.2, 1.6], [-0.2, 1.6], lambda x, y: (x, y, -1.0 - PLATE / 2 - GAP))
     return (part(1, 1, 1, "ball") + part(2, 2, 2, "plate") + "*SECTION_SOLID\n" + fields(1, 1)
             + "*SECTION_SHELL\n" + fields(2, 2) + fields(PLATE) + "*MAT_ELASTIC\n" + fields(1, 1.0, 1.0, POISSON)
-            + "*MAT_RIGID\n" + fields(2, 1.0, 1000.0, 0.3) + fields(1.0, 7, 7) + "\n"
+            + "*MAT_RIGID\n" + fields(2, 100.0, 1000.0, 0.3) + fields(1.0, 7, 7) + "\n"
             + segment_set(1, list(zip(ids[1][0], ids[0][0]))[::-1]) + contact(variant, kinds=(0, 3), scale=SCALE, soft_scale=SOFT_SCALE, segment_scale=SEGMENT_SCALE,
                       depth=h / 10))
 
@@ -105,7 +105,7 @@ ball nor strains of p₀ / E = 0.028 matter. It is measured by the forces on the
 that the nodes within a / 2 carry, over ∫ √(1 − r²/a²) dA; both where the nodes are at the end, since the surface shrinks by
 (1 − 2 ν)(1 + ν) p / E. The shortening is that of the axis down to a depth of about 2 a, against the strains of Hertz' stresses
 (Johnson, equation 3.45). The meshes have 2, 4 and 8 bricks over the contact radius. The contact is that of the segments of
-the ball's lower half. SOFT 0: SFSA = SFSB = 100, SOFT 1: SOFSCL = 1, SOFT 2: SFSA = SFSB = 20, mortar: SFSA = SFSB = 100 and PENMAX a tenth of
+the ball's lower half. SOFT 0: SFSA = SFSB = 50, SOFT 1: SOFSCL = 1, SOFT 2: SFSA = SFSB = 20, mortar: SFSA = SFSB = 50 and PENMAX a tenth of
 a brick; TSSFAC = 0.4.
 """, ball_deck, ball_values, VARIANTS, cause="""\
 The springs are an elastic layer between the bodies, which spreads the pressure; its thickness falls with the edges. Mortar contact

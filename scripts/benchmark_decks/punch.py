@@ -45,7 +45,7 @@ def punch_deck(level, variant):
             + history([sheet[0][0], ids[-1][0][middle]]) + part(1, 1, 1, "half-plane") + part(2, 2, 2, "punch")
             + "*SECTION_SOLID\n" + fields(1, 1) + "*SECTION_SHELL\n" + fields(2, 2) + fields(PLATE)
             + "*MAT_ELASTIC\n" + fields(1, 1.0, 1.0, POISSON)
-            + "*MAT_RIGID\n" + fields(2, 1.0, 100.0, 0.3) + fields(1.0, 4, 7) + "\n"
+            + "*MAT_RIGID\n" + fields(2, 100.0, 100.0, 0.3) + fields(1.0, 4, 7) + "\n"
             + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + fields(2, 3, 2, 1) + smooth(1, 30.0, -0.016)
             + "*DAMPING_GLOBAL\n" + fields(0, 0.3) + segment_set(1, ids[-1])
             + contact(variant, kinds=(0, 3), scale=40.0, soft_scale=1.0, segment_scale=20.0, depth=h / 10) + mesh.text() + "*END\n")
