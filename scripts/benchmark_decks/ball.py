@@ -116,7 +116,7 @@ slope.
 
 # Impact -------------------------------------------------------------------------------------------------------------
 
-IMPACT_RADIUS = 0.04
+IMPACT_RADIUS = 0.03
 MASS = 4 / 3 * math.pi
 
 
@@ -160,7 +160,7 @@ def ball_impact_values(run, level, variant):
 BALL_IMPACT = Problem(
     "ball_impact", "Impact of a ball on a rigid plate", """\
 A ball (E = R = ρ = 1, ν = 0.3) hits a rigid plate so fast that its greatest approach is δ = a²,
-a = 0.04, by Hertz' theory of impact (Hertz 1881; Johnson, Contact Mechanics, 1985, section 11.4):
+a = 0.03, by Hertz' theory of impact (Hertz 1881; Johnson, Contact Mechanics, 1985, section 11.4):
 
     ½ m v² = 8/15 E* √R δ^(5/2)      F = 4/3 E* √R δ^(3/2)      T = 4 √π Γ(2/5) / (5 Γ(9/10)) δ / v      J = 2 m v
 
@@ -168,7 +168,7 @@ The mesh is made as that of the [ball at rest](hertz_ball.md), with 1, 2 and 4 b
 factors are the same.
 """, ball_impact_deck, ball_impact_values, VARIANTS, cause="""\
 Hertz takes the approach from half-spaces. The middle of a ball is not infinitely far away: its approach is smaller by
-F / (π E* R) at most, a share 4 a / 3 π R = 1.7 % of δ. A contact that is stiffer by that has a force about ¾ as much larger and a time of contact
+F / (π E* R) at most, a share 4 a / 3 π R = 1.3 % of δ. A contact that is stiffer by that has a force about ¾ as much larger and a time of contact
 as much shorter; both remain with any mesh, and fall with a. The ball of bricks is a polyhedron inside the ball, so lighter: its
 impulse is smaller by that, of order 2. Soft springs act the other way, on the coarse mesh most.
 """)
