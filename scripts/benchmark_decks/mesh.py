@@ -1,4 +1,5 @@
 """Blocks of bricks and sheets of shells, written as keywords."""
+import math
 
 # TC and RC of *NODE by the axes that are held.
 HELD = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}
@@ -46,6 +47,24 @@ class Mesh:
                 for i in range(len(r) - 1):
                     self.elements["SOLID"].append((part, [ids[k + c][j + b][i + a] for c in (0, 1)
                                                           for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]))
+        return ids
+
+    def quarter(self, part, r, t, place):
+        """A quarter of a body of revolution about z, one element around: bricks, and degenerate ones at the axis r = 0,
+        between the places r x t; `place(r, t)`: radius and height in the plane midway between x = 0 and y = 0, where the one
+        point of each brick lies. The sides are straight, so nodes lie √2 farther out and the section is 4/π of that of the
+        quarter. Nodes are held in the planes of symmetry x = 0 and y = 0, one for each. Returns ids[j][k][i], j = 0 at y = 0."""
+        ids = [[[0] * len(r) for _ in t] for _ in (0, 1)]
+        for k, tk in enumerate(t):
+            for i, ri in enumerate(r):
+                radius, z = place(ri, tk)
+                radius *= math.sqrt(2)
+                ids[0][k][i] = self.add_node((radius, 0.0, z), "xy" if i == 0 else "y")
+                ids[1][k][i] = self.add_node((0.0, radius, z), "x") if i > 0 else ids[0][k][i]
+        for k in range(len(t) - 1):
+            for i in range(len(r) - 1):
+                layers = [[ids[0][n][i + 1], ids[1][n][i + 1], ids[1][n][i], ids[0][n][i]] for n in (k, k + 1)]
+                self.elements["SOLID"].append((part, layers[0] + layers[1]))
         return ids
 
     def sheet(self, part, r, s, place, held=lambda i, j: "", turns=lambda i, j: ""):
@@ -111,11 +130,11 @@ def history(ids):
         "".join(f"{n:10d}" for n in ids[i:i + 8]) + "\n" for i in range(0, len(ids), 8))
 
 
-def start(title, units, end, interval, scale=0.9, plots=1, hourglass=True):
-    """Control and output cards. `scale`: TSSFAC; `plots`: states of d3plot behind the first; `hourglass`: by stiffness,
-    otherwise as the program does it unasked."""
+def start(title, units, end, interval, scale=0.9, plots=1, hourglass=0.1):
+    """Control and output cards. `scale`: TSSFAC; `plots`: states of d3plot behind the first; `hourglass`: QM of the
+    stiffness form; 0: as the program does it unasked."""
     return (f"*KEYWORD\n*TITLE\n{title}\n$ {units}\n*CONTROL_TERMINATION\n{end:10g}\n*CONTROL_TIMESTEP\n"
             f"       0.0{scale:10g}\n*CONTROL_ENERGY\n         2         2         2         2\n"
-            + ("*CONTROL_HOURGLASS\n         5       0.1\n" if hourglass else "")
+            + (f"*CONTROL_HOURGLASS\n         5{hourglass:10g}\n" if hourglass else "")
             + "".join(f"*DATABASE_{name}\n{interval:10g}\n" for name in ("GLSTAT", "RCFORC", "SLEOUT", "NODOUT"))
             + f"*DATABASE_NCFORC\n{end:10g}\n*DATABASE_BINARY_D3PLOT\n{end / plots:10g}\n")

@@ -2,30 +2,32 @@
 import math
 
 from .contacts import contact
-from .mesh import Mesh, even, fields, history, part, smooth, start
+from .mesh import Mesh, fields, graded, history, part, smooth, start
 from .problem import Problem, Value
 
-SPAN, DEPTH, WIDTH, YOUNG, YIELD = 100.0, 5.0, 5.0, 20.0, 0.1  # mm, kN, GPa
+SPAN, DEPTH, WIDTH, YOUNG, YIELD = 100.0, 5.0, 5.0, 200.0, 0.1  # mm, kN, GPa
 ROLLER = 4.0
+ROLLER_ANGLES = [-1, 1, 3, 5, 10, 20, 30]  # degrees, of the corners of the roller
+END = 12.0
 
 
 def beam_deck(level, variant):
     """Half of the span; the roller in the middle moves down."""
-    along = even(10 * 2 ** level, 0.0, SPAN / 2)
+    along = graded(5.0 / 2 ** level, 10.0, SPAN / 2, 1.3)
     mesh = Mesh()
     beam = mesh.sheet(1, along, [0.0, WIDTH], lambda x, y: (x, y, 0.0),
                       lambda i, j: "x" if i == 0 else "z" if i == len(along) - 1 else "",
                       lambda i, j: "yz" if i == 0 else "")
-    arc = [math.radians(10 * i - 5) for i in range(8)]
+    arc = [math.radians(q) for q in ROLLER_ANGLES]
     mesh.sheet(2, arc, [-1.0, WIDTH + 1.0],
                lambda a, y: (ROLLER * math.sin(a), y, DEPTH / 2 + 0.05 + ROLLER * (1 - math.cos(a))))
-    return (start("three-point bending of a plastic beam", "mm, ms, kg, kN", 25.0, 0.1, 0.7)
+    return (start("three-point bending of a plastic beam", "mm, ms, kg, kN", END, END / 250, 0.7)
             + history([beam[0][0]]) + part(1, 1, 1, "beam") + part(2, 2, 2, "roller")
             + "*SECTION_SHELL\n" + fields(1, 16, None, 10) + fields(DEPTH)
             + "*SECTION_SHELL\n" + fields(2, 2) + fields(0.1)
-            + "*MAT_PLASTIC_KINEMATIC\n" + fields(1, "1.0E-6", YOUNG, 0.0, YIELD, 0.0, 1.0) + "\n"
-            + "*MAT_RIGID\n" + fields(2, "1.0E-6", 200.0, 0.3) + fields(1.0, 4, 7) + "\n"
-            + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + fields(2, 3, 2, 1) + smooth(1, 25.0, -3.2 * first_yield())
+            + "*MAT_PLASTIC_KINEMATIC\n" + fields(1, "7.85E-6", YOUNG, 0.0, YIELD, 0.0, 1.0) + "\n"
+            + "*MAT_RIGID\n" + fields(2, "7.85E-6", 200.0, 0.3) + fields(1.0, 4, 7) + "\n"
+            + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + fields(2, 3, 2, 1) + smooth(1, END, -3.2 * first_yield())
             + contact(variant, scale=1.0 if variant == "SOFT 0" else 4.0, soft_scale=0.1) + mesh.text() + "*END\n")
 
 
@@ -70,9 +72,11 @@ its mid-line, is bent by a roller of 4 mm radius within 25 ms. An elastic, ideal
 
     Pₑ = 2 σ b t² / 3 L    δₑ = σ L² / 6 E t    δ/δₑ = (Pₑ/P)² (5 − (3 + P/Pₑ) √(3 − 2 P/Pₑ))    P = 3/2 Pₑ = σ b t² / L from δ = 20/9 δₑ on
 
-Shells of ELFORM 16 with ten points over the thickness, one over the width, 10 and 20 along the half. The deflection is that of the beam under
-the roller. SFSA = SFSB = 1 (SOFT 2 and mortar: 4), SOFSCL = 0.1.
-""", beam_deck, beam_values, ("SOFT 0", "SOFT 1", "SOFT 2", "mortar"), levels=(0, 1), cause="""\
-The collapse load exceeds the closed form by less on the finer mesh: the hinge takes at least one element, and the roller, round and
-as thick as its shell, touches beside the middle.
+Shells of ELFORM 16 with ten points over the thickness, one over the width; the meshes begin with shells of 5, 2.5 and 1.25 mm at the
+middle, where the hinge forms, and grow behind. The deflection is that of the beam under the roller. It is small, 0.5 mm at the most: the
+roller touches beside the middle of a bent beam, which shortens the span. SFSA = SFSB = 1 (SOFT 2 and mortar: 4), SOFSCL = 0.1.
+""", beam_deck, beam_values, ("SOFT 0", "SOFT 1", "SOFT 2", "mortar"), cause="""\
+The hinge forms at the points of the shell nearest the middle, so the collapse load is too high by the share of the half span that they
+are away from it: of order 1. The elastic load tends to 0.3 % (mortar 1 %) below the closed form: shells and contact have a compliance
+that the beam of Bernoulli has not, its shear alone 0.6 %.
 """)

@@ -1,11 +1,12 @@
 """All problems with meshes and a reference, in the order of the pages."""
+from .ball import BALL, BALL_IMPACT
 from .fits import PIN, PRESS_FIT
-from .hertz import BALL, CYLINDERS
+from .hertz import CYLINDERS
 from .ironing import IRONING
 from .plastic import BEAM
 from .punch import PUNCH
 from .ring import RING
-from .rods import BALL_IMPACT, RODS
+from .rods import RODS
 from .sliding import STICK_SLIP, WEDGE
 from .taylor import TAYLOR
 from .tube import TUBE

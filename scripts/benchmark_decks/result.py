@@ -9,6 +9,13 @@ FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (
 Force = collections.namedtuple("Force", "node force pressure position")
 
 
+def corner_area(before, corner, after):
+    """Of the triangle of a corner and its neighbours."""
+    first, second = [q - p for p, q in zip(corner, after)], [q - p for p, q in zip(corner, before)]
+    cross = [first[i - 2] * second[i - 1] - first[i - 1] * second[i - 2] for i in range(3)]
+    return 0.5 * math.sqrt(sum(q * q for q in cross))
+
+
 class Result:
     """A run's files. nodes: {id: rows of displacement, velocity, acceleration and position} of nodout."""
 
@@ -106,9 +113,15 @@ class Result:
                 if int(line[8:16]) == part]
 
     def pressures(self, part, on_surface):
-        """{node: (point at the start, force, size of the force over the node's share of the surface)} of the outer faces
-        of a part whose corners all satisfy `on_surface(point)`; 0 where there is no contact."""
+        """As `shares`, with the size of the force over the node's share of the surface in place of the share."""
+        return {n: (point, force, math.sqrt(sum(q * q for q in force)) / area)
+                for n, (point, force, area) in self.shares(part, on_surface).items()}
+
+    def shares(self, part, on_surface):
+        """{node: (point, force, the node's share of the surface)} of the outer faces of a part whose corners all satisfy
+        `on_surface(point)` at the start; where they are at the end. The force is 0 where there is no contact."""
         points = self.points()
+        now = {**points, **{f.node: f.position for f in self.node_forces()}}
         faces = {}
         for brick in self.solids_of(part):
             for face in FACES:
@@ -117,14 +130,11 @@ class Result:
                     faces[tuple(sorted(corners))] = corners
         areas = {}
         for corners in faces.values():
-            a, b, c, d = (points[n] for n in corners)
-            first, second = [q - p for p, q in zip(a, c)], [q - p for p, q in zip(b, d)]
-            cross = [first[i - 2] * second[i - 1] - first[i - 1] * second[i - 2] for i in range(3)]
-            for n in corners:
-                areas[n] = areas.get(n, 0) + 0.125 * math.sqrt(sum(q * q for q in cross))
+            # ∫ N dA: the density of a plane face, linear over it, is that of the triangles at its corners.
+            x = [now[n] for n in corners]
+            density = [corner_area(x[c - 1], x[c], x[(c + 1) % 4]) / 2 for c in range(4)]
+            for c, n in enumerate(corners):
+                share = (4 * density[c] + 2 * density[c - 1] + 2 * density[(c + 1) % 4] + density[c - 2]) / 9
+                areas[n] = areas.get(n, 0) + share
         forces = {f.node: f.force for f in self.node_forces()}
-        found = {}
-        for n, area in areas.items():
-            force = forces.get(n, (0.0, 0.0, 0.0))
-            found[n] = (points[n], force, math.sqrt(sum(q * q for q in force)) / area)
-        return found
+        return {n: (now[n], forces.get(n, (0.0, 0.0, 0.0)), area) for n, area in areas.items()}

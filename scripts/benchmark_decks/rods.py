@@ -1,12 +1,7 @@
-"""Impacts: of two rods, of a ball on a rigid plate."""
-import math
-
+"""Impact of two rods."""
 from .contacts import VARIANTS, contact
-from .hertz import GAP, PLANE, PLATE, POISSON
-from .mesh import Mesh, even, fields, graded, history, part, start
+from .mesh import Mesh, even, fields, history, part, start
 from .problem import Problem, Value
-
-# Rods ---------------------------------------------------------------------------------------------------------------
 
 LENGTH, SIDE, SPEED = 10.0, 0.5, 0.01  # E = density = 1, so c = 1
 
@@ -46,72 +41,4 @@ of it, the exit velocity the impulse over the mass. The meshes have 20, 40 and 8
 """, rods_deck, rods_values, VARIANTS, cause="""\
 The contact spring lets the rods come nearer, so the force begins late and ends late: both by about the time in which a wave
 passes a brick, so of order 1. The bulk viscosity smears the fronts over a few bricks.
-""")
-
-# Ball ---------------------------------------------------------------------------------------------------------------
-
-RADIUS_OF_CONTACT = 0.15
-MASS = 4 / 3 * math.pi
-
-
-def ball_speed():
-    """That makes the greatest approach a²/R: m v²/2 = 8/15 E* √R δ^5/2."""
-    return math.sqrt(16 / 15 / PLANE * RADIUS_OF_CONTACT ** 5 / MASS)
-
-
-def ball_impact_deck(level, variant):
-    h = RADIUS_OF_CONTACT / 2 / 2 ** level
-    growth = 1.6 ** (1 / 2 ** level)
-    fine = graded(h, 0.2, 1.0, growth)
-    coarse = graded(4 * h, 0.0, 1.0, growth)
-    mesh = Mesh()
-
-    def place(x, y, z):
-        most, norm = max(x, y, abs(z)), math.sqrt(x * x + y * y + z * z)
-        share = 1 - most + most * most / norm if norm > 0 else 1
-        return x * share, y * share, z * share
-
-    heights = [q - 1 for q in fine] + coarse[1:]
-    ids = mesh.block(1, fine, fine, heights, place, lambda i, j, k: ("x" if i == 0 else "") + ("y" if j == 0 else ""))
-    mesh.sheet(2, [-0.3, 1.3], [-0.3, 1.3], lambda x, y: (x, y, -1.0 - PLATE / 2 - GAP))
-    end = 1.6 * contact_time()
-    return (start("impact of a ball on a rigid plate (Hertz)", "E = R = density = 1", end, end / 800, 0.6)
-            + history([ids[0][0][0], ids[-1][0][0]]) + part(1, 1, 1, "ball") + part(2, 2, 2, "plate")
-            + "*SECTION_SOLID\n" + fields(1, 1) + "*SECTION_SHELL\n" + fields(2, 2) + fields(PLATE)
-            + "*MAT_ELASTIC\n" + fields(1, 1.0, 1.0, POISSON)
-            + "*MAT_RIGID\n" + fields(2, 1.0, 1000.0, 0.3) + fields(1.0, 7, 7) + "\n"
-            + f"*INITIAL_VELOCITY_GENERATION\n{1:10d}{2:10d}{0.0:10g}{0.0:10g}{0.0:10g}{-ball_speed():10.6f}\n\n"
-            + contact(variant, scale=15.0, soft_scale=0.2) + mesh.text() + "*END\n")
-
-
-def contact_time():
-    """2.943 δ / v (Hertz 1881; Johnson 1985, equation 11.24): 2 ∫ dx / √(1 − x^5/2) from 0 to 1."""
-    integral = 2 * math.sqrt(math.pi) * math.gamma(0.4) / (5 * math.gamma(0.9)) * 2
-    return integral * RADIUS_OF_CONTACT ** 2 / ball_speed()
-
-
-def ball_impact_values(run, level, variant):
-    force = [(t, 4 * abs(f[2])) for t, f in run.rcforc(1, "A")]
-    greatest = max(f for _, f in force)
-    inside = [t for t, f in force if f > 0.001 * greatest]
-    impulse = sum(0.5 * (f + g) * (u - t) for (t, f), (u, g) in zip(force, force[1:]))
-    speed = ball_speed()
-    return [Value("greatest force", greatest, 4 / 3 / PLANE * RADIUS_OF_CONTACT ** 3),
-            Value("time of contact", max(inside) - min(inside), contact_time()),
-            Value("impulse", impulse, 2 * MASS * speed)]
-
-
-BALL_IMPACT = Problem(
-    "ball_impact", "Impact of a ball on a rigid plate", """\
-A ball of bricks (a quarter by symmetry; E = R = ρ = 1, ν = 0.3) hits a rigid plate so fast that its greatest approach is δ = a²,
-a = 0.15, by Hertz' theory of impact (Hertz 1881; Johnson, Contact Mechanics, 1985, section 11.4):
-
-    ½ m v² = 8/15 E* √R δ^(5/2)      F = 4/3 E* √R δ^(3/2)      T = 4 √π Γ(2/5) / (5 Γ(9/10)) δ / v      J = 2 m v
-
-The meshes have 2 and 4 bricks over the contact radius. SFSA = SFSB = 15, SOFSCL = 0.2.
-""", ball_impact_deck, ball_impact_values, VARIANTS, levels=(0, 1), cause="""\
-The theory is quasi-static and leaves out the vibrations of the ball. The ball of bricks is a polyhedron inside the ball, so lighter:
-its impulse is smaller by that, on the coarse mesh most. Hertz takes the approach from half-spaces; a ball of finite size is stiffer
-by a share of order a / R = 0.15, so the stiffest contacts on the finer mesh end above his force and below his time. Soft springs
-act the other way.
 """)

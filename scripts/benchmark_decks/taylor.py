@@ -49,7 +49,7 @@ def taylor_deck(level, variant):
     mesh.elements["SOLID"] = [(1, [1 + n + each * (k + c) for c in (0, 1) for n in quad])
                               for k in range(layers) for quad in quads]
     axis, rim = points.index((0.0, 0.0)) + 1, max(range(each), key=lambda n: points[n][0]) + 1
-    return (start("Taylor bar, copper, 227 m/s", "mm, ms, kg, kN", 0.08, 0.001, hourglass=False)
+    return (start("Taylor bar, copper, 227 m/s", "mm, ms, kg, kN", 0.08, 0.001, hourglass=0)
             + history([axis, axis + each * layers, rim]) + part(1, 1, 1, "bar")
             + "*SECTION_SOLID\n" + fields(1, int(variant.split()[1]))
             + "*MAT_PLASTIC_KINEMATIC\n" + fields(1, "8.93E-6", 117.0, 0.35, 0.4, 0.1, 1.0) + "\n"
