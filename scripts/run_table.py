@@ -127,8 +127,9 @@ Every deck at hand that no other deck includes, for at most {cycles:,} cycles; c
 "Reached" is the share of the deck's end time. The force is the largest resultant of a contact with two sides.
 
 The energy ratio leaves out the work of the bulk viscosity, which shocks dissipate, as LS-DYNA's does. Where it is more than 0.5 %
-from 1, the deck has run once more with Q1 = Q2 = 10⁻⁹: a ratio of 1 there says that the balance lacks nothing else. "By the state"
-counts the viscosity ([energy of the state](theory/state-energy.md)), and shows what elements and contacts create. "Eroded" is the energy
+from 1, the deck has run once more with Q1 = Q2 = 10⁻⁹: a ratio of 1 there says that the balance lacks nothing else. With
+HGEN = 1, the default, it lacks the work against hourglassing too, as that of `00run2.key` does. "By the state"
+counts both ([energy of the state](theory/state-energy.md)), and shows what elements and contacts create. "Eroded" is the energy
 of failed elements as a share of the total, which contains it, as in LS-DYNA: failing does not change the ratio.
 
 | deck | time | reached | cycles | energy ratio | without bulk viscosity | by the state | who parts from the works | eroded | contact force |
