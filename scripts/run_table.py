@@ -95,7 +95,7 @@ def tried(program, deck, root, folder, cycles):
         time, count = re.search(r"at time (\S+), cycle (\d+)", done.stdout).groups()
         ratio, by_state = (re.search(rf"^  {label} +(\S+)", done.stdout, re.MULTILINE)[1] for label in ("energy ratio", "by the state"))
         end, force, share, parted = end_time(deck), largest_force(folder), eroded(folder), notes(done.stdout)
-        # What the works lack is looked for where it is more than half a percent.
+        # The missing work is looked for where it is more than half a percent.
         other = without_viscosity(program, deck, folder, cycles) if abs(float(ratio) - 1) > 0.005 else "–"
         reached = "its end" if "Normal end" in done.stdout else f"{100 * float(time) / end:.1f} %" if end else "–"
         return "runs", (f"| {name} | {float(time.rstrip(',')):.4g} | {reached} | {int(count):,} | {ratio} | {other} | {by_state} | "

@@ -1,4 +1,4 @@
-"""Hertz: a ball on a rigid plate, at rest and in an impact. A quarter, one brick around, stands for all of it."""
+"""Hertz: a ball on a rigid plate, at rest and in an impact. The model is a quarter of the ball, one brick wide around."""
 import math
 
 from .contacts import VARIANTS, contact
@@ -14,13 +14,13 @@ WHOLE = math.pi  # of Mesh.quarter, a triangle in place of a quarter of a circle
 
 
 def radius_of(point):
-    """In the plane midway between those of symmetry."""
+    """A point of the plane midway between the planes of symmetry."""
     return math.hypot(point[0], point[1]) / math.sqrt(2)
 
 
 
 def on_ball(x, z):
-    """From the square to the disc: its rim wholly, its middle not at all."""
+    """Maps the square onto the disc: the rim moves all the way, the middle stays."""
     most, norm = max(x, abs(z)), math.hypot(x, z)
     share = 1 - most + most * most / norm if norm > 0 else 1
     return x * share, z * share
@@ -71,7 +71,7 @@ def hertz_shortening(depth, a, peak):
 
 
 def peak_pressure(found, a):
-    """That of Hertz' distribution with the force that the nodes within half of its radius carry."""
+    """The peak pressure of Hertz' distribution with the force that the nodes within half of its radius carry."""
     inner = [(force[2], area * math.sqrt(1 - (radius_of(p) / a) ** 2)) for p, force, area in found if radius_of(p) < a / 2]
     return sum(f for f, _ in inner) / sum(w for _, w in inner)
 
@@ -98,7 +98,7 @@ until 4.5. With the force F that the plate then carries (Hertz 1881; Johnson, Co
     a³ = 3 F R / 4 E*      p₀ = 3 F / 2 π a²      E* = E / (1 − ν²)
 
 A quarter of the ball is one brick wide around: the one point of each brick lies in the plane midway between
-the planes of symmetry, where the section is that of the ball, so a mesh in two dimensions will do. These bricks are long across the
+the planes of symmetry, where the section is that of the ball, so a two-dimensional mesh is enough. These bricks are long across the
 section; hourglass stiffness would resist every radial motion that is not proportional to the radius, so its coefficient is 0.002
 (with 0.1 a thick-walled cylinder is 4 % off at its rim on any mesh). The nominal contact radius is 0.04, so that neither the size of the
 ball nor strains of p₀ / E = 0.028 matter. It is measured by the forces on the nodes, Σ F r² / Σ F = 2/5 a²; p₀ by the force
@@ -121,7 +121,7 @@ MASS = 4 / 3 * math.pi
 
 
 def ball_speed():
-    """That makes the greatest approach a²/R: m v²/2 = 8/15 E* √R δ^5/2."""
+    """The velocity with which the greatest approach is a²/R: m v²/2 = 8/15 E* √R δ^5/2."""
     return math.sqrt(16 / 15 / PLANE * IMPACT_RADIUS ** 5 / MASS)
 
 

@@ -164,6 +164,6 @@ SFSA = SFSB = 30, SOFT 1: SOFSCL = 1, SOFT 2: SFSA = SFSB = 20, mortar: SFSA = S
 """, pin_deck, pin_values, ("SOFT 0", "SOFT 1", "SOFT 2", "mortar"), cause="""\
 Coarse bricks make the contact too wide and its pressure too small; the penetration of the springs is a part of the clearance. Both
 fall with the edges. The theory has a pin that is loaded in its middle and a plate without end; a rigid core and a rim hold them round, and
-so make the contact narrower: with a core of 0.25 by 1.7 %, with a rim at 8 by 0.4 %, on the same mesh. It does not tell the angle of a
-point of the pin from that of the hole that it touches either; they differ by the way of the pin, 2.6 ΔR / R = 0.5 %.
+so make the contact narrower: with a core of 0.25 by 1.7 %, with a rim at 8 by 0.4 %, on the same mesh. It also takes the angle of a
+point of the pin for that of the point of the hole that it touches; they differ by the way of the pin, 2.6 ΔR / R = 0.5 %.
 """)

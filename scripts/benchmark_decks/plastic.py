@@ -78,5 +78,5 @@ roller touches beside the middle of a bent beam, which shortens the span. SFSA =
 """, beam_deck, beam_values, ("SOFT 0", "SOFT 1", "SOFT 2", "mortar"), cause="""\
 The hinge forms at the points of the shell nearest the middle, so the collapse load is too high by the share of the half span that they
 are away from it: of order 1. The elastic load tends to 0.3 % (mortar 1 %) below the closed form: shells and contact have a compliance
-that the beam of Bernoulli has not, its shear alone 0.6 %.
+that Bernoulli's beam does not have; shear alone makes 0.6 %.
 """)
