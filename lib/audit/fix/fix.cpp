@@ -212,12 +212,13 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
     one->run();
     return one;
   };
-  // Shallow crossings part while nodes keep to their sides, and with less movement. Where that is not enough, and
-  // nothing can be untangled either, it is still the better result.
+  // Shallow crossings part while nodes keep to their sides, and with less movement. Where that is not enough, the
+  // better of two results counts.
   std::unique_ptr<Mover> chosen = moved_by(Mover::Crossings::stay);
   if (options.untangle && !options.recommended && chosen->crossings_after() > 0) {
     std::unique_ptr<Mover> untangled = moved_by(Mover::Crossings::untangle);
-    if (untangled->has_untangled())
+    const auto left = [](const Mover& one) { return std::pair(one.crossings_after(), one.after().penetrating); };
+    if (untangled->has_untangled() && left(*untangled) < left(*chosen))
       chosen = std::move(untangled);
     else
       chosen->show();
