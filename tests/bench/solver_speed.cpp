@@ -88,7 +88,7 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
   const auto before = contacts != nullptr ? contacts->counters() : solver::ContactCounters{};
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < cycles; ++i)
-    if (const SolverStatus status = stepper.step(); !status.ok()) {
+    if (const solver::SolverStatus status = stepper.step(); !status.ok()) {
       fmt::print("{}\n", status.error().message);
       std::exit(1);
     }

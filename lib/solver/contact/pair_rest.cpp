@@ -32,6 +32,22 @@ double PairRest::motion_outside(SlotIndex slot, SegmentIndex segment, const Pair
   return geometry::motion_outside_band({facet, at, pair.closest.point, pairs_.reach(slot, segment)});
 }
 
+double PairRest::motion_in_front(SlotIndex slot, SegmentIndex segment) const {
+  const bool flipped = !scene_.flipped.empty() && scene_.flipped[segment.value];
+  return geometry::motion_in_front(scene_.facet(segment), scene_.position(slot), flipped ? -1 : 1);
+}
+
+bool PairRest::rests_on(Candidate& candidate, SlotIndex slot, double used) const {
+  const SegmentIndex segment = candidate.segment;
+  if (scene_.nodes.half[slot.value] > 0 || scene_.segments.half[segment.value] > 0) return false;
+  if (!scene_.oriented(segment) || !has_shape(segment)) return false;
+  const double motion = motion_in_front(slot, segment);
+  if (!(motion > 0)) return false;
+  candidate.wake = used + motion;
+  candidate.zone = Candidate::Zone::outside;
+  return true;
+}
+
 PairRest::Rest PairRest::of_hit(SlotIndex slot, SegmentIndex segment, const PairResult& pair) const {
   if (pair.in_band || !has_shape(segment)) return {};
   // Where a segment has a back, the node may get behind it, where another distance counts.
@@ -52,10 +68,8 @@ PairRest::Rest PairRest::of_gap(SlotIndex slot, SegmentIndex segment, const Pair
       return {motion};
   // A node in front stays there until it is level with the segment.
   if (pair.distance > half) {
-    const bool flipped = !scene_.flipped.empty() && scene_.flipped[segment.value];
-    const double in_front = geometry::motion_in_front(scene_.facet(segment), scene_.position(slot), flipped ? -1 : 1);
     const double apart = pair.distance * (1 - distance_slack) - half;
-    if (const double motion = std::min(in_front, apart); motion > 0) return {motion};
+    if (const double motion = std::min(motion_in_front(slot, segment), apart); motion > 0) return {motion};
   }
   return {pair.in_band ? 0 : motion_outside(slot, segment, pair), Candidate::Zone::unknown};
 }

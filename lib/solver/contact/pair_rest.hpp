@@ -15,6 +15,9 @@ class PairRest {
 
   /// Sets the sleep of a pair that was decided when `used` of the margin was used up.
   void set_rest(contact::Candidate& candidate, SlotIndex slot, const contact::PairResult& pair, double used) const;
+  /// Sets the sleep of a pair that awakes, without a decision, if it needs none: segment and node have no thickness,
+  /// and the node is still in front.
+  [[nodiscard]] bool rests_on(contact::Candidate& candidate, SlotIndex slot, double used) const;
 
  private:
   struct Rest {
@@ -27,6 +30,8 @@ class PairRest {
   [[nodiscard]] Rest of_gap(SlotIndex slot, SegmentIndex segment, const contact::PairResult& pair) const;
   /// Bounds by the shape of the segment hold.
   [[nodiscard]] bool has_shape(SegmentIndex segment) const;
+  /// How far the two may move before the node is level with the segment.
+  [[nodiscard]] double motion_in_front(SlotIndex slot, SegmentIndex segment) const;
   /// How far the two may move before the projection enters the segment's band.
   [[nodiscard]] double motion_outside(SlotIndex slot, SegmentIndex segment, const contact::PairResult& pair) const;
 

@@ -4,22 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/view.hpp"
+
 namespace gapcheck::solver {
 
 using contact::Candidate;
 using contact::Hit;
 using contact::PairResult;
 using geometry::FollowedPairs;
+using geometry::NearPlace;
 
 namespace {
 
 constexpr std::size_t not_followed = FollowedPairs::capacity;
-
-/// Another segment must be farther away by this share of the distance, which is far more than what choose_hit() treats
-/// as equally near; sums in doubles are trusted up to this share.
-constexpr double lead_slack = 1e-8, rounding_share = 1e-13;
-/// For segments farther away than this many times the one that counts, the exact distance does not matter.
-constexpr double far_away = 1.5;
 
 }  // namespace
 
@@ -27,6 +24,7 @@ SegmentFinder::SegmentFinder(TrackedPairs& pairs)
     : pairs_(pairs),
       scene_(pairs.scene()),
       leads_(scene_.mode == geometry::Mode::filtered && !(scene_.contact.airbag_thickness > 0)),
+      rivals_(pairs),
       rest_(pairs, leads_) {}
 
 void SegmentFinder::follow_pairs(std::size_t first, std::size_t last, FinderScratch& scratch) const {
@@ -35,7 +33,7 @@ void SegmentFinder::follow_pairs(std::size_t first, std::size_t last, FinderScra
   for (std::size_t place = first; place < last; ++place) {
     std::size_t& lane = scratch.lanes[place - first];
     lane = not_followed;
-    if (!may_follow(place)) continue;
+    if (!may_follow(place) || !pairs_.node(pairs_.slot_at(place)).link.on_face) continue;
     lane = count++;
     set_start(pairs_.slot_at(place), scratch.followed, lane);
   }
@@ -46,14 +44,17 @@ std::optional<NodeMeeting> SegmentFinder::find_meeting(std::size_t place, double
                                                        PairCounts& counts) {
   const SlotIndex slot = pairs_.slot_at(place);
   const std::size_t lane = scratch.lanes[place - scratch.first];
+  NodeMeeting meeting{{}, true};
   if (lane != not_followed) {
-    NodeMeeting meeting{prove_followed(slot, scratch.followed, lane), true};
-    if (meeting.contact && keeps_lead(place, *meeting.contact, used)) {
-      ++counts.nodes;
-      ++counts.pairs;
-      ++counts.followed;
-      return meeting;
-    }
+    meeting.contact = prove_followed(slot, scratch.followed, lane);
+  } else if (may_follow(place)) {
+    meeting.contact = decide_last(slot);
+  }
+  if (meeting.contact && rivals_.stay_behind(place, *meeting.contact, used, scratch.single)) {
+    ++counts.nodes;
+    ++counts.pairs;
+    ++counts.followed;
+    return meeting;
   }
   if (pairs_.sleep(place) > used && !pairs_.node(slot).active) {
     ++counts.asleep;
@@ -82,18 +83,16 @@ NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, Fin
   SegmentContact& contact =
       meeting.contact.emplace(contact_of(slot, hit->segment, scratch.results[static_cast<std::size_t>(at)]));
   take_followed_point(slot, contact, scratch.single);
-  if (leads_ && contact.on_face) pairs_.touch(slot).lead = lead_of(candidates, contact, used);
+  if (leads_) rivals_.choose(slot, candidates, contact, used);
   return meeting;
 }
 
-void SegmentFinder::decide(SlotIndex slot, Candidate& candidate, Vector* towards, double used,
+void SegmentFinder::decide(SlotIndex slot, Candidate& candidate, NearPlace* nearest, double used,
                            FinderScratch& scratch) const {
   const SegmentIndex s = candidate.segment;
   const PairResult pair = contact::decide_pair(scene_, slot, s);
   rest_.set_rest(candidate, slot, pair, used);
-  const double distance = std::sqrt(pair.closest.squared_distance);
-  if (towards != nullptr)
-    *towards = distance > 0 ? Vector((pair.closest.point - scene_.position(slot)) / distance) : Vector::Zero();
+  if (nearest != nullptr) *nearest = geometry::place_of(pair.closest);
   scratch.decided.push_back({{slot, s, pair.distance, pair.in_band}, pair});
 }
 
@@ -114,13 +113,13 @@ SegmentFinder::Sleep SegmentFinder::decide_awake(SlotIndex slot, std::span<Candi
   scratch.clear_hits();
   // Only nodes that touch something come back for it.
   TrackedNode* const known = pairs_.known(slot);
-  if (known != nullptr) known->towards.resize(candidates.size(), Vector::Zero());
+  if (known != nullptr) known->nearest.resize(candidates.size());
   const auto decide_number = [&](std::size_t i) {
-    decide(slot, candidates[i], known != nullptr ? &known->towards[i] : nullptr, used, scratch);
+    decide(slot, candidates[i], known != nullptr ? &known->nearest[i] : nullptr, used, scratch);
   };
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].wake > used) continue;
+    if (candidates[i].wake > used || rest_.rests_on(candidates[i], slot, used)) continue;
     decide_number(i);
     ++pairs;
     if (candidates[i].wake > used) scratch.decided.pop_back();
@@ -152,6 +151,8 @@ SegmentContact SegmentFinder::contact_of(SlotIndex slot, SegmentIndex segment, c
   contact.way = scene_.position(slot) - pair.closest.point;
   contact.normal = flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
   contact.distance = pair.distance;
+  contact.rounding = geometry::distance_rounding *
+                     geometry::size_of(geometry::seen_from(scene_.facet(segment), scene_.position(slot)));
   contact.on_face = pair.closest.feature == Feature::face && !scene_.line(segment);
   return contact;
 }
@@ -169,61 +170,17 @@ void SegmentFinder::take_followed_point(SlotIndex slot, SegmentContact& contact,
   contact.on_face = true;
 }
 
-bool SegmentFinder::comes_nearer(const Candidate& candidate, SegmentIndex segment) const {
-  if (candidate.segment == segment) return false;
-  // A node is behind the nearest segment alone. In front, a segment that rests does not count before it wakes.
-  return candidate.zone == Candidate::Zone::outside || (scene_.oriented(segment) && scene_.oriented(candidate.segment));
-}
-
-void SegmentFinder::separate_others(SlotIndex slot, SegmentIndex segment, std::span<Candidate> candidates, double used,
-                                    double far) const {
-  const std::vector<Vector>& towards = pairs_.node(slot).towards;
-  if (towards.size() != candidates.size()) return;
-  const Vector at = scene_.position(slot);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    Candidate& candidate = candidates[i];
-    if (!comes_nearer(candidate, segment) || candidate.apart - used > far) continue;
-    const geometry::Facet facet = scene_.facet(candidate.segment);
-    double least = std::numeric_limits<double>::infinity(), size = 0;
-    for (const Vector& corner : facet.x) {
-      const Vector from_node = corner - at;
-      least = std::min(least, towards[i].dot(from_node));
-      size = std::max(size, from_node.cwiseAbs().maxCoeff());
-    }
-    candidate.apart = std::max(candidate.apart, used + least - rounding_share * size);
-    if (candidate.zone == Candidate::Zone::outside)
-      candidate.wake = std::max(candidate.wake, candidate.apart - pairs_.reach(slot, candidate.segment));
-  }
-}
-
-double SegmentFinder::lead_of(std::span<const Candidate> candidates, const SegmentContact& chosen, double used) const {
-  double nearest = std::numeric_limits<double>::infinity(), first = nearest;
-  for (const Candidate& candidate : candidates) {
-    if (comes_nearer(candidate, chosen.segment)) nearest = std::min(nearest, candidate.apart - used);
-    if (candidate.zone != Candidate::Zone::outside && candidate.segment != chosen.segment)
-      first = std::min(first, candidate.wake);
-  }
-  const double gap =
-      nearest - std::abs(chosen.distance) * (1 + lead_slack) - rounding_share * (used + pairs_.greatest_reach());
-  // One distance may grow by what the other one loses.
-  const double lead = std::min(used + gap / 2, first);
-  return lead > used ? lead : 0;
-}
-
 bool SegmentFinder::may_follow(std::size_t place) const {
   if (place >= pairs_.near_places()) return false;
   const TrackedNode& tracked = pairs_.node(pairs_.slot_at(place));
-  return tracked.active && tracked.link.on_face && tracked.lead > 0;
+  return tracked.active && tracked.lead > 0;
 }
 
-bool SegmentFinder::keeps_lead(std::size_t place, const SegmentContact& contact, double used) {
-  const SlotIndex slot = pairs_.slot_at(place);
-  TrackedNode& tracked = pairs_.touch(slot);
-  if (tracked.lead > used) return true;
-  const std::span<Candidate> candidates = pairs_.candidates_at(place);
-  separate_others(slot, contact.segment, candidates, used, far_away * std::abs(contact.distance));
-  tracked.lead = lead_of(candidates, contact, used);
-  return tracked.lead > 0;
+std::optional<SegmentContact> SegmentFinder::decide_last(SlotIndex slot) const {
+  const SegmentIndex segment = pairs_.node(slot).link.segment;
+  const PairResult pair = contact::decide_pair(scene_, slot, segment);
+  if (!pair.penetrates || !pair.in_band || scene_.slides(slot, segment, pair.distance)) return {};
+  return contact_of(slot, segment, pair);
 }
 
 void SegmentFinder::set_start(SlotIndex slot, FollowedPairs& pairs, std::size_t lane) const {
@@ -243,6 +200,7 @@ std::optional<SegmentContact> SegmentFinder::prove_followed(SlotIndex slot, cons
   contact.t = pairs.t[lane];
   contact.way = -pairs.offset_of(lane);
   contact.distance = distance;
+  contact.rounding = geometry::distance_rounding * pairs.size[lane];
   contact.on_face = true;
   if (scene_.slides(slot, contact.segment, distance)) return {};
   const double h = scene_.nodes.half[slot.value] + scene_.segments.half[contact.segment.value], size = pairs.size[lane];

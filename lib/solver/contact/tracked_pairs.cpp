@@ -70,7 +70,8 @@ std::size_t TrackedPairs::find_candidates(const contact::CandidateSearch& search
     if (is_near) ++next;
     if (TrackedNode* const tracked = known(slot)) {
       tracked->lead = 0;
-      tracked->towards = {};
+      tracked->rivals.clear();
+      tracked->nearest = {};
       if (tracked->at_rest())
         nodes_[slot.value].reset();
       else if (!is_near)
@@ -113,7 +114,7 @@ std::vector<KnownNode> TrackedPairs::known_nodes() const {
   std::vector<KnownNode> all;
   for (const SlotIndex slot : positions<SlotIndex>(nodes_.size()))
     if (const TrackedNode* const now = nodes_[slot.value].get())
-      all.push_back({slot, {now->memory, now->active, now->penetration, 0, now->pair, now->link, {}}});
+      all.push_back({slot, {now->memory, now->active, now->penetration, 0, now->pair, now->link, {}, {}}});
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include "contact/pair/candidates.hpp"
 #include "contact/pair/node_contact.hpp"
 #include "contact/pair/side_scene.hpp"
+#include "geometry/near_place.hpp"
 #include "solver/interface/contact_link.hpp"
 #include "solver/interface/contact_setting.hpp"
 #include "solver/interface/contact_spring.hpp"
@@ -37,12 +38,12 @@ struct TrackedNode {
   contact::NodeContact memory;
   bool active = false;  ///< `link` carries a force
   double penetration = 0;
-  double lead = 0;  ///< until this much is used up no other segment is as near as that of `link`
-  PairData pair;    ///< with the segment of the last penetration
+  /// Until this much is used up no other candidate than the rivals counts instead of the segment of `link`.
+  double lead = 0;
+  PairData pair;  ///< with the segment of the last penetration
   SegmentLink link;
-  /// By candidate, from the node to the segment when the pair was decided, of unit length or zero: everything beyond
-  /// the plane across it is farther away than that plane. Empty: not known.
-  std::vector<Vector> towards;
+  std::vector<std::uint32_t> rivals;         ///< candidates that may soon count, by number
+  std::vector<geometry::NearPlace> nearest;  ///< by candidate, when the pair was decided; empty: not known
   /// The energy of the spring.
   [[nodiscard]] double stored() const { return active ? link.stored(penetration - memory.forgiven) : 0; }
   [[nodiscard]] bool released() const { return memory.state == contact::NodeContact::State::released; }
