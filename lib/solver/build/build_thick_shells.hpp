@@ -4,8 +4,8 @@
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
 #include "solver/build/build_rigid.hpp"
-#include "solver/element/mass_scaling.hpp"
 #include "solver/state/failure.hpp"
+#include "solver/state/mass_scaling.hpp"
 #include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {

@@ -8,7 +8,7 @@
 #include "solver/discrete/beam_arms.hpp"
 #include "solver/element/assembly.hpp"
 #include "solver/element/beam.hpp"
-#include "solver/element/mass_scaling.hpp"
+#include "solver/state/mass_scaling.hpp"
 #include "solver/state/motion.hpp"
 #include "solver/state/state.hpp"
 #include "solver/state/summary.hpp"

@@ -1,11 +1,21 @@
 #include "solver/element/shell.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/quad.hpp"
 
 namespace gapcheck::solver {
+
+ShellForces ShellForces::none() {
+  ShellForces none;
+  none.good = true;
+  none.manual_step = none.stable_step = std::numeric_limits<double>::infinity();
+  none.force.fill(Vector::Zero());
+  none.moment.fill(Vector::Zero());
+  return none;
+}
 
 bool is_folded(const std::array<Vector, 4>& x) {
   if (x[2] == x[3]) return false;
@@ -50,10 +60,48 @@ double update_layer(const Material& material, const Symmetric& increment, double
 
 }  // namespace
 
-ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& whole, double dt,
-                                 double& thickness, std::span<PointState> points) {
-  ShellResultants sum;
-  const ShellStrain strain = properties.membrane ? ShellStrain{.xx = whole.xx, .yy = whole.yy, .xy = whole.xy} : whole;
+namespace {
+
+/// Adds the stresses of a layer at height z with this share of the thickness.
+void add_layer(const Symmetric& stress, double share, double z, ShellResultants& sum) {
+  const double lever = share * z;
+  sum.xx += share * stress[xx];
+  sum.yy += share * stress[yy];
+  sum.xy += share * stress[xy];
+  sum.bend_xx += lever * stress[xx];
+  sum.bend_yy += lever * stress[yy];
+  sum.bend_xy += lever * stress[xy];
+  sum.yz += share * stress[yz];
+  sum.zx += share * stress[zx];
+}
+
+Symmetric increment_at(const ShellStrain& strain, double z) {
+  return {strain.xx + z * strain.bend_xx,
+          strain.yy + z * strain.bend_yy,
+          0,
+          strain.xy + z * strain.bend_xy,
+          strain.yz,
+          strain.zx};
+}
+
+/// Shells whose points follow Hooke's law alone. Returns the mean strain through the thickness.
+double integrate_linear(const ShellProperties& properties, const ShellStrain& strain, double thickness,
+                        std::span<PointState> points, ShellResultants& sum) {
+  const PlaneModuli moduli(properties.material);
+  const double half = thickness / 2, shift = half * properties.reference;
+  double through = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [place, weight] = properties.layers[i];
+    const double z = half * place - shift;
+    through += weight / 2 * moduli.add(increment_at(strain, z), points[i].stress);
+    add_layer(points[i].stress, half * weight, z, sum);
+  }
+  return through;
+}
+
+/// All other shells. dt = 0: sums the stresses up.
+double integrate_points(const ShellProperties& properties, const ShellStrain& strain, double dt, double thickness,
+                        std::span<PointState> points, ShellResultants& sum) {
   const double half = thickness / 2, shift = half * properties.reference;
   const bool composite = !properties.layer_materials.empty();
   double through = 0;
@@ -62,37 +110,56 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
     const double z = half * place - shift;
     const Material& material = composite ? properties.layer_materials[i] : properties.material;
     if (dt > 0) {
-      const Symmetric increment{strain.xx + z * strain.bend_xx,
-                                strain.yy + z * strain.bend_yy,
-                                0,
-                                strain.xy + z * strain.bend_xy,
-                                strain.yz,
-                                strain.zx};
       const double mean = points[i].stress[xx] + points[i].stress[yy];
       double flowed = 0;
-      double across = update_layer(material, increment, dt, properties.shear_factor, points[i], flowed);
+      double across = update_layer(material, increment_at(strain, z), dt, properties.shear_factor, points[i], flowed);
       if (properties.thins_by_flow)  // without the elastic strain −ν/E (σxx + σyy)
         across += material.poisson / material.young * (points[i].stress[xx] + points[i].stress[yy] - mean);
       through += weight / 2 * across;
       sum.plastic_work += half * weight * flowed;
     }
-    const Symmetric& stress = points[i].stress;
-    const double share = half * weight, lever = share * z;
-    sum.xx += share * stress[xx];
-    sum.yy += share * stress[yy];
-    sum.xy += share * stress[xy];
-    sum.bend_xx += lever * stress[xx];
-    sum.bend_yy += lever * stress[yy];
-    sum.bend_xy += lever * stress[xy];
-    sum.yz += share * stress[yz];
-    sum.zx += share * stress[zx];
+    add_layer(points[i].stress, half * weight, z, sum);
   }
+  return through;
+}
+
+}  // namespace
+
+ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& whole, double dt,
+                                 double& thickness, std::span<PointState> points) {
+  ShellResultants sum;
+  const ShellStrain strain = properties.membrane ? ShellStrain{.xx = whole.xx, .yy = whole.yy, .xy = whole.xy} : whole;
+  const bool linear =
+      dt > 0 && properties.layer_materials.empty() && properties.material.linear() && !properties.thins_by_flow;
+  const double through = linear ? integrate_linear(properties, strain, thickness, points, sum)
+                                : integrate_points(properties, strain, dt, thickness, points, sum);
   // Mid-step rule for ṫ = t ε̇zz.
   if (properties.thins) thickness *= (1 + through / 2) / (1 - through / 2);
   sum.yz *= properties.shear_factor;
   sum.zx *= properties.shear_factor;
   if (properties.membrane) sum.bend_xx = sum.bend_yy = sum.bend_xy = 0;
   return sum;
+}
+
+bool fails(const ShellProperties& properties, std::span<const PointState> own, double time) {
+  // Points of other materials are not looked at: that costs as much as their stresses.
+  if (own.empty() || (properties.layer_materials.empty() && !properties.material.can_fail())) return false;
+  if (std::all_of(own.begin(), own.end(), [](const PointState& p) { return p.failed; })) return true;
+  const std::optional<Erosion>& erosion = properties.material.erosion;
+  if (!erosion) return false;
+  if (past_time(erosion, time)) return true;
+  const auto eroded = [](const PointState& p) { return p.eroded; };
+  if (erosion->points > 0) return static_cast<double>(std::count_if(own.begin(), own.end(), eroded)) >= erosion->points;
+  // A layer counts with the first of its points in the plane.
+  const std::size_t layers = properties.layers.size();
+  std::size_t gone = 0;
+  for (std::size_t layer = 0; layer < layers; ++layer)
+    for (std::size_t point = layer; point < own.size(); point += layers)
+      if (own[point].eroded) {
+        ++gone;
+        break;
+      }
+  return static_cast<double>(gone) >= -erosion->points / 100 * static_cast<double>(layers);
 }
 
 double stored_energy(const ShellProperties& properties, const ShellState& state, double area,

@@ -107,6 +107,8 @@ struct ShellForces {
   double manual_step = 0;     ///< characteristic length / wave speed, as in the solver manual
   double stable_step = 0;     ///< 2 / an upper bound of the element's highest frequency
   bool good = false;          ///< false: no area, or not a number
+  /// Of a shell that has failed: it limits no step.
+  [[nodiscard]] static ShellForces none();
 };
 
 /// Quadrilateral of Belytschko, Lin and Tsay (Comput. Methods Appl. Mech. Engng 42, 1984): one point in the plane,
@@ -174,6 +176,9 @@ struct ShellResultants {
 /// Updates the layers' stresses and integrates them through the thickness, which follows if the section says so.
 [[nodiscard]] ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& strain, double dt,
                                                double& thickness, std::span<PointState> points);
+
+/// A shell fails: all its layers have, or as many as NUMFIP of its erosion says, or its time is over.
+[[nodiscard]] bool fails(const ShellProperties& properties, std::span<const PointState> points, double time);
 
 /// Adds the bulk viscosity's pressure q = ρ l (Q1 l ε̇² − Q2 c ε̇) to the membrane forces of a shell whose area shrinks
 /// at the rate −ε̇, l = √A, c² = E / ρ (1 − ν²) (TYPE = −1 and −2 of *CONTROL_BULK_VISCOSITY). `strain`: ε̇ dt. For

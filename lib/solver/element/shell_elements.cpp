@@ -1,12 +1,29 @@
 #include "solver/element/shell_elements.hpp"
 
-#include <limits>
-
 #include "base/quad.hpp"
+#include "solver/element/quad_batch.hpp"
 
 namespace gapcheck::solver {
+namespace {
+
+std::array<Vector, 4> places_of(const std::array<NodeIndex, 4>& nodes, const std::vector<Vector>& x) {
+  return {x[nodes[0].value], x[nodes[1].value], x[nodes[2].value], x[nodes[3].value]};
+}
+
+ShellCorners corners_of(const std::array<NodeIndex, 4>& nodes, const State& state) {
+  ShellCorners corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    corners.x[k] = state.x[nodes[k].value];
+    corners.v[k] = state.v[nodes[k].value];
+    corners.w[k] = state.w[nodes[k].value];
+  }
+  return corners;
+}
+
+}  // namespace
 
 std::uint32_t ShellElements::add_properties(ShellProperties properties) {
+  batched_.push_back(QuadBatch::takes(properties) ? 1 : 0);
   properties_.push_back(std::move(properties));
   return static_cast<std::uint32_t>(properties_.size() - 1);
 }
@@ -23,11 +40,9 @@ std::uint32_t ShellElements::with_reference(std::uint32_t properties, double ref
 }
 
 ShellForces ShellElements::at_rest(std::size_t shell, const std::vector<Vector>& x) const {
-  ShellCorners corners;
-  for (std::size_t k = 0; k < 4; ++k) {
-    corners.x[k] = x[nodes_[shell][k].value];
-    corners.v[k] = corners.w[k] = Vector::Zero();
-  }
+  ShellCorners corners{places_of(nodes_[shell], x), {}, {}};
+  corners.v.fill(Vector::Zero());
+  corners.w.fill(Vector::Zero());
   const ShellProperties& properties = properties_[which_[shell]];
   ShellState state = state_[shell];
   std::vector<PointState> points(points_in_plane(shell) * properties.layers.size());
@@ -52,11 +67,8 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
   shell.thickness = thickness;
   const std::vector<Vector>& x = state.x;
   const std::size_t corners = triangle(size() - 1) ? 3 : 4;
-  if (corners == 4 && !full(size() - 1)) {
-    std::array<Vector, 4> places;
-    for (std::size_t k = 0; k < 4; ++k) places[k] = x[nodes[k].value];
-    shell.stiffness = hourglass_stiffness(properties_[properties], places, thickness);
-  }
+  if (corners == 4 && !full(size() - 1))
+    shell.stiffness = hourglass_stiffness(properties_[properties], places_of(nodes, x), thickness);
   state_.push_back(shell);
   // With corners 3 and 4 equal this is the triangle's area too.
   const double area = quad_normal(nodes, x).norm() / 2;
@@ -77,8 +89,7 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
 }
 
 Matrix ShellElements::axes(std::size_t shell, const std::vector<Vector>& x) const {
-  std::array<Vector, 4> places;
-  for (std::size_t k = 0; k < 4; ++k) places[k] = x[nodes_[shell][k].value];
+  const std::array<Vector, 4> places = places_of(nodes_[shell], x);
   const ShellAxes kind = properties(shell).axes;
   return full(shell) ? full_axes(places, kind) : triangle(shell) ? triangle_axes(places) : quad_axes(places, kind);
 }
@@ -106,48 +117,53 @@ void ShellElements::finish(std::size_t nodes) {
   table_ = CornerTable(nodes, corners);
 }
 
-bool ShellElements::fails(std::size_t shell, double time) const {
-  const std::span<const PointState> own = points(shell);
-  if (own.empty()) return false;
-  if (std::all_of(own.begin(), own.end(), [](const PointState& p) { return p.failed; })) return true;
-  const std::optional<Erosion>& erosion = properties(shell).material.erosion;
-  if (!erosion) return false;
-  if (past_time(erosion, time)) return true;
-  const auto eroded = [](const PointState& p) { return p.eroded; };
-  if (erosion->points > 0) return static_cast<double>(std::count_if(own.begin(), own.end(), eroded)) >= erosion->points;
-  // A layer counts with the first of its points in the plane.
-  const std::size_t layers = properties(shell).layers.size();
-  std::size_t gone = 0;
-  for (std::size_t layer = 0; layer < layers; ++layer)
-    for (std::size_t point = layer; point < own.size(); point += layers)
-      if (own[point].eroded) {
-        ++gone;
-        break;
-      }
-  return static_cast<double>(gone) >= -erosion->points / 100 * static_cast<double>(layers);
-}
-
 Summary ShellElements::update_one(const State& state, std::size_t shell) {
   if (failed_[shell] != 0) return {};
-  ShellCorners corners;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::uint32_t node = nodes_[shell][k].value;
-    corners.x[k] = state.x[node];
-    corners.v[k] = state.v[node];
-    corners.w[k] = state.w[node];
-  }
+  const ShellCorners corners = corners_of(nodes_[shell], state);
   const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
   ShellForces forces = this->forces(shell, corners, state.dt, state_[shell], points);
+  return conclude(state, shell, corners, forces);
+}
+
+std::size_t ShellElements::end_of_batch(std::size_t first, std::size_t last) const {
+  const auto taken = [&](std::size_t shell) {
+    return which_[shell] == which_[first] && failed_[shell] == 0 && !triangle(shell);
+  };
+  if (batched_[which_[first]] == 0) return first;
+  std::size_t end = first;
+  while (end < std::min(last, first + QuadBatch::capacity) && taken(end)) ++end;
+  return end;
+}
+
+void ShellElements::update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum) {
+  const ShellProperties& own = properties(first);
+  QuadBatch batch;
+  std::array<ShellCorners, QuadBatch::capacity> corners;
+  std::array<double, QuadBatch::capacity> plastic_work;
+  for (std::size_t shell = first; shell < last; ++shell) {
+    corners[shell - first] = corners_of(nodes_[shell], state);
+    batch.add(corners[shell - first], state_[shell]);
+  }
+  batch.begin(own, state.dt);
+  for (std::size_t shell = first; shell < last; ++shell) {
+    const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
+    plastic_work[shell - first] = batch.integrate(shell - first, own, state.dt, state_[shell], points);
+  }
+  batch.end(own);
+  for (std::size_t shell = first; shell < last; ++shell) {
+    ShellForces forces = batch.forces_of(shell - first, own, plastic_work[shell - first]);
+    sum.add(conclude(state, shell, corners[shell - first], forces));
+  }
+}
+
+Summary ShellElements::conclude(const State& state, std::size_t shell, const ShellCorners& corners,
+                                ShellForces& forces) {
   Summary summary;
   const FoldedShell rule = properties(shell).folded;
   const bool folded = rule != FoldedShell::allowed && is_folded(corners.x);
-  if (fails(shell, state.time) || (folded && rule == FoldedShell::fails)) {
+  if (fails(properties(shell), points(shell), state.time) || (folded && rule == FoldedShell::fails)) {
     failed_[shell] = 1;
-    forces = {};
-    forces.good = true;
-    forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
-    forces.force.fill(Vector::Zero());
-    forces.moment.fill(Vector::Zero());
+    forces = ShellForces::none();
     summary.failed = 1;
   }
   summary.manual_step = forces.manual_step;
@@ -174,11 +190,8 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
 }
 
 double ShellElements::stored(std::size_t shell, const std::vector<Vector>& x) const {
-  if (full(shell)) {
-    std::array<Vector, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = x[nodes_[shell][k].value];
-    return full_stored_energy(properties(shell), state_[shell], corners, points(shell));
-  }
+  if (full(shell))
+    return full_stored_energy(properties(shell), state_[shell], places_of(nodes_[shell], x), points(shell));
   const double area = quad_normal(nodes_[shell], x).norm() / 2;
   if (kirchhoff(shell)) return kirchhoff_stored_energy(properties(shell), state_[shell], area, points(shell));
   return stored_energy(properties(shell), state_[shell], area, points(shell));
@@ -208,7 +221,14 @@ AddedMass ShellElements::keep_steps(State& state) {
 Summary ShellElements::update(const State& state) {
   return sum_over_blocks<Summary>(size(), [&](std::size_t begin, std::size_t end) {
     Summary sum;
-    for (std::size_t i = begin; i < end; ++i) sum.add(update_one(state, i));
+    for (std::size_t i = begin; i < end;) {
+      const std::size_t last = end_of_batch(i, end);
+      if (last > i)
+        update_batch(state, i, last, sum);
+      else
+        sum.add(update_one(state, i));
+      i = std::max(last, i + 1);
+    }
     return sum;
   });
 }

@@ -9,8 +9,8 @@
 
 #include "base/ids.hpp"
 #include "solver/element/assembly.hpp"
-#include "solver/element/mass_scaling.hpp"
 #include "solver/element/shell.hpp"
+#include "solver/state/mass_scaling.hpp"
 #include "solver/state/summary.hpp"
 
 namespace gapcheck::solver {
@@ -95,11 +95,17 @@ class ShellElements {
   }
   [[nodiscard]] ShellForces forces(std::size_t shell, const ShellCorners& corners, double dt, ShellState& state,
                                    std::span<PointState> points) const;
-  /// It fails now: all its layers have, or as many as NUMFIP of its erosion says, or its time is over.
-  [[nodiscard]] bool fails(std::size_t shell, double time) const;
   [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
+  /// The end of the shells from `first` on, before `last`, that one batch takes; `first` where it takes none.
+  [[nodiscard]] std::size_t end_of_batch(std::size_t first, std::size_t last) const;
+  /// update_one() for shells of a batch, one after the other.
+  void update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum);
+  /// Keeps the forces of a shell, unless it fails now.
+  [[nodiscard]] Summary conclude(const State& state, std::size_t shell, const ShellCorners& corners,
+                                 ShellForces& forces);
 
   std::vector<ShellProperties> properties_;
+  std::vector<char> batched_;                                             ///< by properties: batches take such quads
   std::map<std::pair<std::uint32_t, double>, std::uint32_t> referenced_;  ///< positions by with_reference()
   std::vector<std::array<NodeIndex, 4>> nodes_;
   std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model

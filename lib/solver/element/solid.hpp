@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "solver/element/hourglass.hpp"
-#include "solver/element/section_stress.hpp"
 #include "solver/element/solid_assumed_strain.hpp"
 #include "solver/element/spotweld.hpp"
 #include "solver/material/material.hpp"
 #include "solver/quadrature/brick_map.hpp"
 #include "solver/quadrature/nodal_average.hpp"
 #include "solver/state/half_step.hpp"
+#include "solver/state/section_stress.hpp"
 
 namespace gapcheck::solver {
 

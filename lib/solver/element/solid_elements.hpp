@@ -7,9 +7,9 @@
 
 #include "base/ids.hpp"
 #include "solver/element/assembly.hpp"
-#include "solver/element/mass_scaling.hpp"
 #include "solver/element/solid.hpp"
 #include "solver/quadrature/nodal_average.hpp"
+#include "solver/state/mass_scaling.hpp"
 #include "solver/state/summary.hpp"
 
 namespace gapcheck::solver {

@@ -72,16 +72,6 @@ Returned radial_return(const Material& material, const Symmetric& trial, const S
   return {point, material.bulk() + 4.0 / 3.0 * shear * theta - 2 * shear * theta_bar * normal_zz};
 }
 
-/// Elastic plane-stress step; returns εzz.
-double elastic_plane(const Material& material, const Symmetric& increment, Symmetric& stress) {
-  const double plate = material.plate_modulus(), nu = material.poisson, two_shear = 2 * material.shear();
-  stress[xx] += plate * (increment[xx] + nu * increment[yy]);
-  stress[yy] += plate * (increment[yy] + nu * increment[xx]);
-  stress[zz] = 0;
-  for (const std::size_t i : {xy, yz, zx}) stress[i] += two_shear * increment[i];
-  return -nu / (1 - nu) * (increment[xx] + increment[yy]);
-}
-
 /// Plastic plane-stress step from `start`; `guess` is the elastic εzz.
 double plastic_plane(const Material& material, Symmetric increment, const StepYield& yield, double guess,
                      PointState& point) {
@@ -165,12 +155,12 @@ void update_deviator(const Material& material, const Symmetric& increment, doubl
 
 /// update_plane_stress() of a point that can carry stress.
 double plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
-  if (material.kind == MaterialKind::elastic) return elastic_plane(material, increment, point.stress);
+  if (material.kind == MaterialKind::elastic) return PlaneModuli(material).add(increment, point.stress);
   if (material.kind == MaterialKind::anisotropic) return update_anisotropic_plane_stress(material, increment, point);
   if (material.viscoelastic) return update_viscoelastic_plane(material, increment, dt, point);
   if (material.orthotropic) return update_orthotropic_plane(material, increment, point);
   Symmetric trial = point.stress;
-  const double through = elastic_plane(material, increment, trial);
+  const double through = PlaneModuli(material).add(increment, trial);
   Symmetric rate_increment = increment;
   rate_increment[zz] = through;
   const StepYield yield = step_yield(material, rate_increment, dt, point);

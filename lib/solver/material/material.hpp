@@ -97,6 +97,8 @@ struct Material {
     const bool limited = erosion && (std::isfinite(erosion->thinning) || std::isfinite(erosion->in_plane_strain));
     return kind == MaterialKind::anisotropic || kind == MaterialKind::orthotropic || limited;
   }
+  /// Hooke's law alone: points remember nothing but their stress.
+  [[nodiscard]] bool linear() const { return kind == MaterialKind::elastic && !can_fail(); }
   [[nodiscard]] bool in_beams() const { return !johnson_cook && !viscoelastic && !(rupture > 0); }
   /// Points turn their back_stress with the material.
   [[nodiscard]] bool has_back_stress() const { return kinematic_slope > 0 || viscoelastic; }
@@ -177,6 +179,24 @@ double update_orthotropic_plane(const Material& material, const Symmetric& incre
 /// The same with σzz = 0: increment[zz] is not read but solved for, and returned. Plastic points iterate on it with the
 /// consistent tangent (Simo and Taylor 1985) until σzz is below 1e-10 of the yield stress.
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
+
+/// Hooke's law in plane stress.
+struct PlaneModuli {
+  double plate, poisson, two_shear, thinning;
+  explicit PlaneModuli(const Material& material)
+      : plate(material.plate_modulus()),
+        poisson(material.poisson),
+        two_shear(2 * material.shear()),
+        thinning(-poisson / (1 - poisson)) {}
+  /// Adds the stress of a strain increment; returns εzz.
+  double add(const Symmetric& increment, Symmetric& stress) const {
+    stress[xx] += plate * (increment[xx] + poisson * increment[yy]);
+    stress[yy] += plate * (increment[yy] + poisson * increment[xx]);
+    stress[zz] = 0;
+    for (const std::size_t i : {xy, yz, zx}) stress[i] += two_shear * increment[i];
+    return thinning * (increment[xx] + increment[yy]);
+  }
+};
 
 /// Fails a point whose stress and strain at the end of a step of dt meet the material's erosion criteria; nothing
 /// without erosion or with dt = 0.

@@ -6,7 +6,7 @@
 
 #include "base/ids.hpp"
 #include "solver/element/assembly.hpp"
-#include "solver/element/mass_scaling.hpp"
+#include "solver/state/mass_scaling.hpp"
 #include "solver/state/summary.hpp"
 #include "solver/thick/thick_shell.hpp"
 

@@ -1,4 +1,4 @@
-#include "solver/element/mass_scaling.hpp"
+#include "solver/state/mass_scaling.hpp"
 
 #include <gtest/gtest.h>
 

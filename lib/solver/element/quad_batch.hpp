@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "solver/element/shell.hpp"
+
+namespace gapcheck::solver {
+
+/// Flat quads with one point in the plane side by side, all of one part: what quad_forces() does, several at once.
+/// Every operation is that of quad_forces(), rounded in the same order, so the results are the same to the last bit
+/// whatever the processor and the neighbours. Arrays by quad.
+struct QuadBatch {
+  static constexpr std::size_t capacity = 16;
+  using Row = std::array<double, capacity>;
+  using Rows = std::array<Row, 3>;  ///< of vectors, by axis
+
+  /// Whether quads with these properties can be in a batch.
+  [[nodiscard]] static bool takes(const ShellProperties& properties);
+
+  std::size_t size = 0;
+  // Set by add(); hourglass stresses are updated by begin(), the thickness by integrate().
+  std::array<Rows, 4> x, v, w;  ///< corners, as in ShellCorners
+  Row thickness;
+  std::array<Row, 5> hourglass, stiffness;
+  // Set by begin().
+  Rows e1, e2, e3;  ///< axes at the end of the step
+  Row area, bx1, bx2, by1, by2, shape_x, shape_y, warp;
+  Row middle_area, hourglass_work;
+  std::array<Row, 8> strain;  ///< in the order of ShellStrain's members
+  // Set by integrate().
+  std::array<Row, 8> resultant;  ///< in the order of ShellResultants' members
+  // Set by end().
+  std::array<Rows, 4> force, moment;
+  Row manual_step, stable_step;
+  Row gradient;  ///< of end() alone
+
+  /// The batch must not be full.
+  void add(const ShellCorners& corners, const ShellState& state);
+  /// Between begin() and end(), for each quad: updates its points and its state to the end of the step. Returns the
+  /// plastic work per area.
+  double integrate(std::size_t i, const ShellProperties& properties, double dt, ShellState& state,
+                   std::span<PointState> points);
+  [[nodiscard]] ShellForces forces_of(std::size_t i, const ShellProperties& properties, double plastic_work) const;
+
+  /// Frames, hourglass stresses and strains.
+  void begin(const ShellProperties& properties, double dt);
+  /// Forces and steps of the resultants.
+  void end(const ShellProperties& properties);
+  /// The same with vectors that every processor has.
+  void begin_narrow(const ShellProperties& properties, double dt);
+  void end_narrow(const ShellProperties& properties);
+
+ private:
+  void pad_corners();
+  void pad_resultants();
+};
+
+}  // namespace gapcheck::solver
