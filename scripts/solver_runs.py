@@ -13,6 +13,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 sys.dont_write_bytecode = True  # keeps the source tree clean
 
@@ -42,12 +43,21 @@ SMALL = [("push_shell_shell", "push_shell_shell.k", None, "", [], (1, -2, 1), 0.
 
 def array(text, name):
     """A data array of a .vtu file, flat."""
-    tag, data = re.search(rf'<DataArray ([^>]*Name="{name}"[^>]*)>\s*([^<]*)<', text).groups()
-    raw = base64.b64decode(data)
+    tag = re.search(rf'<DataArray ([^>]*Name="{name}"[^>]*)/>', text)[1]
+    start = text.index('encoding="base64">\n_') + len('encoding="base64">\n_') + int(re.search(r'offset="(\d+)"', tag)[1])
+
+    def decoded(first, count):
+        """So many bytes, encoded by themselves or as the beginning of more."""
+        return base64.b64decode(text[first:first + (count + 2) // 3 * 4])[:count]
+    blocks = struct.unpack("<Q", decoded(start, 24)[:8])[0]
+    sizes = struct.unpack(f"<{3 + blocks}Q", decoded(start, 8 * (3 + blocks)))[3:]
+    data, raw = decoded(start + (8 * (3 + blocks) + 2) // 3 * 4, sum(sizes)), b""
+    for size in sizes:
+        raw += zlib.decompress(data[:size])
+        data = data[size:]
     size, code = {"Float32": (4, "f"), "Float64": (8, "d"), "Int32": (4, "i"), "Int64": (8, "q"), "UInt8": (1, "B")}[
         re.search(r'type="(\w+)"', tag)[1]]
-    count = struct.unpack_from("<Q", raw)[0] // size
-    return struct.unpack_from(f"<{count}{code}", raw, 8)
+    return struct.unpack(f"<{len(raw) // size}{code}", raw)
 
 
 def glstat(folder):

@@ -77,8 +77,12 @@ bool is_own_grid(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
-  return head.empty() || head.starts_with(report::vtu_begin("UnstructuredGrid")) ||
-         head.starts_with(report::vtu_begin("Collection"));
+  const auto begins_as = [&](std::string_view type, bool compressed) {
+    return head.starts_with(report::vtu_begin(type, compressed));
+  };
+  // Earlier versions did not compress.
+  return head.empty() || begins_as("UnstructuredGrid", true) || begins_as("UnstructuredGrid", false) ||
+         begins_as("Collection", false);
 }
 
 }  // namespace

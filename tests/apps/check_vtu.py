@@ -14,11 +14,17 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
+import zlib
 
 LETTERS = {"Float32": "f", "Int32": "i", "Int64": "q", "UInt8": "B"}
 CORNERS = {1: 1, 3: 2, 5: 3, 9: 4, 10: 4, 12: 8}  # of VTK's cell types
 OUTCOMES = ["none", "moved", "kept", "forced", "released", "reported"]
 FLOAT = 2e-7  # what single precision leaves of a number, relatively
+
+
+def encoded(count):
+    """Length of so many bytes in base64."""
+    return (count + 2) // 3 * 4
 
 
 class Grid:
@@ -27,6 +33,12 @@ class Grid:
     def __init__(self, path):
         root = ElementTree.parse(path).getroot()
         assert root.get("type") == "UnstructuredGrid" and root.get("header_type") == "UInt64"
+        assert root.get("compressor") == "vtkZLibDataCompressor"
+        appended = root.find("AppendedData")
+        assert appended.get("encoding") == "base64"
+        self.data = appended.text.strip()
+        assert self.data.startswith("_")
+        self.data = self.data[1:]
         self.order = {"LittleEndian": "<", "BigEndian": ">"}[root.get("byte_order")]
         grid = root.find("UnstructuredGrid")
         piece = grid.find("Piece")
@@ -45,12 +57,26 @@ class Grid:
         self.words = {array.get("Name"): self.strings(array) for array in grid.findall("FieldData/DataArray")}
 
     def values(self, array):
-        bytes_ = base64.b64decode(array.text.strip(), validate=True)
-        length, = struct.unpack_from(self.order + "Q", bytes_)
+        assert array.get("format") == "appended"
+        start = int(array.get("offset"))
+        blocks, whole, last = self.words(start, 3)
+        sizes = self.words(start, 3 + blocks)[3:]
+        start += encoded(8 * (3 + blocks))
+        data = base64.b64decode(self.data[start:start + encoded(sum(sizes))], validate=True)
+        assert len(data) == sum(sizes)
+        bytes_ = b""
+        for i, size in enumerate(sizes):
+            bytes_ += zlib.decompress(data[:size])
+            data = data[size:]
+            assert len(bytes_) == (i * whole + last if i + 1 == blocks and last else (i + 1) * whole)
         letter = LETTERS[array.get("type")]
-        count = length // struct.calcsize(letter)
-        assert len(bytes_) == 8 + length and length == count * struct.calcsize(letter)
-        return list(struct.unpack_from(f"{self.order}{count}{letter}", bytes_, 8))
+        count = len(bytes_) // struct.calcsize(letter)
+        assert len(bytes_) == count * struct.calcsize(letter)
+        return list(struct.unpack(f"{self.order}{count}{letter}", bytes_))
+
+    def words(self, start, count):
+        bytes_ = base64.b64decode(self.data[start:start + encoded(8 * count)], validate=True)
+        return struct.unpack_from(f"{self.order}{count}Q", bytes_)
 
     def tuples(self, array, count):
         values, width = self.values(array), int(array.get("NumberOfComponents"))

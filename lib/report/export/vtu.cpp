@@ -5,26 +5,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "report/write/base64.hpp"
 #include "report/write/xml_text.hpp"
+#include "report/write/zlib_blocks.hpp"
 
 namespace gapcheck::report {
 namespace {
-
-/// Length in bytes followed by the bytes, encoded as one.
-template <class Value>
-std::string encoded(const std::vector<Value>& values) {
-  const std::uint64_t length = values.size() * sizeof(Value);
-  std::string bytes(sizeof length + length, '\0');
-  std::memcpy(bytes.data(), &length, sizeof length);
-  if (!values.empty()) std::memcpy(bytes.data() + sizeof length, values.data(), length);
-  std::string text;
-  append_base64(bytes, text);
-  return text;
-}
 
 std::vector<float> single(std::span<const double> values, bool gaps = false) {
   constexpr double most = std::numeric_limits<float>::max();
@@ -36,39 +24,54 @@ std::vector<float> single(std::span<const double> values, bool gaps = false) {
   return list;
 }
 
-template <class Value>
-std::string array(std::string_view type, std::string_view name, unsigned components, const std::vector<Value>& values) {
-  return fmt::format(
-      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n</DataArray>\n", type,
-      xml_text(name), components, encoded(values));
-}
-
-/// In 32 bits where all fit.
-std::string integers(std::string_view name, unsigned components, const std::vector<std::int64_t>& values) {
-  using Short = std::numeric_limits<std::int32_t>;
-  const auto is_short = [](std::int64_t value) { return value >= Short::min() && value <= Short::max(); };
-  if (!std::all_of(values.begin(), values.end(), is_short)) return array("Int64", name, components, values);
-  std::vector<std::int32_t> list;
-  list.reserve(values.size());
-  for (const std::int64_t value : values) list.push_back(static_cast<std::int32_t>(value));
-  return array("Int32", name, components, list);
-}
-
-std::string data_arrays(const std::vector<VtuArray>& list, const std::vector<VtuIds>& ids) {
-  std::string text;
-  for (const VtuArray& data : list) {
-    if (!data.whole) {
-      text += array("Float32", data.name, data.components, single(data.values, data.gaps));
-      continue;
-    }
-    std::vector<std::int64_t> whole;
-    for (const double value : data.values)
-      whole.push_back(std::abs(value) < 9e18 ? static_cast<std::int64_t>(value) : 0);
-    text += integers(data.name, data.components, whole);
+/// The arrays of a file: their tags, and their data at its end, compressed and in base64.
+class Arrays {
+ public:
+  /// The tag of an array whose data are added.
+  template <class Value>
+  std::string array(std::string_view type, std::string_view name, unsigned components,
+                    const std::vector<Value>& values) {
+    std::string tag = fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", type,
+        xml_text(name), components, data_.size());
+    const ZlibBlocks blocks =
+        zlib_blocks({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)});
+    append_base64({reinterpret_cast<const char*>(blocks.header.data()), blocks.header.size() * sizeof(std::uint64_t)},
+                  data_);
+    append_base64(blocks.data, data_);
+    return tag;
   }
-  for (const VtuIds& data : ids) text += integers(data.name, 1, data.values);
-  return text;
-}
+
+  /// In 32 bits where all fit.
+  std::string integers(std::string_view name, unsigned components, const std::vector<std::int64_t>& values) {
+    using Short = std::numeric_limits<std::int32_t>;
+    const auto is_short = [](std::int64_t value) { return value >= Short::min() && value <= Short::max(); };
+    if (!std::all_of(values.begin(), values.end(), is_short)) return array("Int64", name, components, values);
+    return array("Int32", name, components, std::vector<std::int32_t>(values.begin(), values.end()));
+  }
+
+  std::string fields(const std::vector<VtuArray>& list, const std::vector<VtuIds>& ids) {
+    std::string tags;
+    for (const VtuArray& data : list) {
+      if (!data.whole) {
+        tags += array("Float32", data.name, data.components, single(data.values, data.gaps));
+        continue;
+      }
+      std::vector<std::int64_t> whole;
+      whole.reserve(data.values.size());
+      for (const double value : data.values)
+        whole.push_back(std::abs(value) < 9e18 ? static_cast<std::int64_t>(value) : 0);
+      tags += integers(data.name, data.components, whole);
+    }
+    for (const VtuIds& data : ids) tags += integers(data.name, 1, data.values);
+    return tags;
+  }
+
+  [[nodiscard]] const std::string& data() const { return data_; }
+
+ private:
+  std::string data_;
+};
 
 /// These files contain strings as the numbers of their bytes, each string followed by a zero.
 std::string field_data(const std::vector<VtuWords>& list) {
@@ -88,11 +91,12 @@ std::string field_data(const std::vector<VtuWords>& list) {
 
 }  // namespace
 
-std::string vtu_begin(std::string_view type) {
+std::string vtu_begin(std::string_view type, bool compressed) {
   return fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"{1}\" "
-      "header_type=\"UInt64\">\n<{0}>\n",
-      type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+      "header_type=\"UInt64\"{2}>\n<{0}>\n",
+      type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
+      compressed ? " compressor=\"vtkZLibDataCompressor\"" : "");
 }
 
 void VtuGrid::add_cell(std::span<const std::uint32_t> nodes) {
@@ -118,18 +122,26 @@ std::string vtu(const VtuGrid& grid) {
   std::vector<std::int64_t> connectivity(grid.connectivity.begin(), grid.connectivity.end());
   std::vector<std::uint8_t> types;
   for (const VtuCell type : grid.types) types.push_back(static_cast<std::uint8_t>(type));
-  std::string text = vtu_begin("UnstructuredGrid") + field_data(grid.words);
+  Arrays arrays;
+  std::string text = vtu_begin("UnstructuredGrid", true) + field_data(grid.words);
   text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(), grid.types.size());
-  text += "<Points>\n" + array("Float32", "Points", 3, single(points)) + "</Points>\n";
-  text += "<Cells>\n" + integers("connectivity", 1, connectivity) + integers("offsets", 1, offsets) +
-          array("UInt8", "types", 1, types) + "</Cells>\n";
-  text += "<PointData>\n" + data_arrays(grid.point_data, grid.point_ids) + "</PointData>\n";
-  text += "<CellData>\n" + data_arrays(grid.cell_data, grid.cell_ids) + "</CellData>\n";
-  return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  text += "<Points>\n" + arrays.array("Float32", "Points", 3, single(points)) + "</Points>\n";
+  // One statement per tag: the operands of + are evaluated in any order, and the data follow that of the calls.
+  text += "<Cells>\n";
+  text += arrays.integers("connectivity", 1, connectivity);
+  text += arrays.integers("offsets", 1, offsets);
+  text += arrays.array("UInt8", "types", 1, types);
+  text += "</Cells>\n<PointData>\n";
+  text += arrays.fields(grid.point_data, grid.point_ids);
+  text += "</PointData>\n<CellData>\n";
+  text += arrays.fields(grid.cell_data, grid.cell_ids);
+  text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"base64\">\n_";
+  text += arrays.data();
+  return text + "\n</AppendedData>\n</VTKFile>\n";
 }
 
 std::string pvd(std::span<const PvdEntry> entries) {
-  std::string text = vtu_begin("Collection");
+  std::string text = vtu_begin("Collection", false);
   for (const PvdEntry& entry : entries)
     text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, xml_text(entry.file));
   return text + "</Collection>\n</VTKFile>\n";

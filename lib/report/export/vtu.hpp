@@ -48,9 +48,9 @@ struct VtuGrid {
 };
 
 /// How a file of this type ("UnstructuredGrid", "Collection") begins here; other programs set other blanks.
-[[nodiscard]] std::string vtu_begin(std::string_view type);
+[[nodiscard]] std::string vtu_begin(std::string_view type, bool compressed);
 
-/// The grid as a .vtu file (VTK XML, version 1.0, binary data in base64 with 64-bit lengths): numbers in single
+/// The grid as a .vtu file (VTK XML, version 1.0, appended data in base64, compressed by zlib): numbers in single
 /// precision, ids and positions of points as 32-bit integers if a whole array fits, otherwise 64-bit. Numbers beyond
 /// the range are clipped, NaN is 0. Control characters of words become '?'.
 [[nodiscard]] std::string vtu(const VtuGrid& grid);

@@ -1,6 +1,7 @@
 #include "report/export/vtu.hpp"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <cstring>
@@ -9,33 +10,67 @@
 namespace gapcheck::report::vtu_test {
 namespace {
 
-/// Decodes the data of one array; the length in front must be that of the rest.
-template <class Value>
-std::vector<Value> values_of(const std::string& text, const std::string& name) {
-  std::size_t at = text.find("Name=\"" + name + "\"");
-  EXPECT_NE(at, std::string::npos) << name;
-  if (at == std::string::npos) return {};
-  at = text.find('\n', at) + 1;
+std::string decoded(std::string_view text) {
   std::string bytes;
   std::uint32_t bits = 0;
   unsigned count = 0;
-  for (; text[at] != '\n'; ++at) {
-    const char c = text[at];
+  for (const char c : text) {
     if (c == '=') break;
     const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    bits = bits << 6 | static_cast<std::uint32_t>(std::strchr(letters, c) - letters);
+    const char* const letter = std::strchr(letters, c);
+    EXPECT_NE(letter, nullptr) << c;
+    if (letter == nullptr) return {};
+    bits = bits << 6 | static_cast<std::uint32_t>(letter - letters);
     count += 6;
     if (count >= 8) {
       count -= 8;
       bytes += static_cast<char>(bits >> count & 255u);
     }
   }
-  std::uint64_t length = 0;
-  EXPECT_GE(bytes.size(), sizeof length);
-  std::memcpy(&length, bytes.data(), sizeof length);
-  EXPECT_EQ(length, bytes.size() - sizeof length);
-  std::vector<Value> values(length / sizeof(Value));
-  if (!values.empty()) std::memcpy(values.data(), bytes.data() + sizeof length, length);
+  return bytes;
+}
+
+/// Bytes as so many characters.
+std::size_t encoded_length(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
+
+std::vector<std::uint64_t> words_of(const std::string& bytes) {
+  std::vector<std::uint64_t> words(bytes.size() / sizeof(std::uint64_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint64_t));
+  return words;
+}
+
+/// The data of one array, read as the format's description has it: at its offset behind the underscore the header in
+/// base64, behind that the compressed blocks in base64.
+template <class Value>
+std::vector<Value> values_of(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find("Name=\"" + name + "\"");
+  EXPECT_NE(at, std::string::npos) << name;
+  if (at == std::string::npos) return {};
+  const std::size_t offset = std::stoul(text.substr(text.find("offset=\"", at) + 8));
+  const std::string_view all = text;
+  std::size_t from = text.find("<AppendedData encoding=\"base64\">\n_") + 34 + offset;
+  const std::uint64_t blocks = words_of(decoded(all.substr(from, encoded_length(24))))[0];
+  const std::size_t header_length = encoded_length((3 + blocks) * 8);
+  const std::vector<std::uint64_t> header = words_of(decoded(all.substr(from, header_length)));
+  from += header_length;
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < blocks; ++i) length += header[3 + i];
+  const std::string data = decoded(all.substr(from, encoded_length(length)));
+  EXPECT_EQ(data.size(), length);
+  std::string bytes;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    std::string block(i + 1 == blocks && header[2] > 0 ? header[2] : header[1], '\0');
+    auto size = static_cast<uLongf>(block.size());
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(block.data()), &size,
+                         reinterpret_cast<const Bytef*>(data.data() + begin), header[3 + i]),
+              Z_OK);
+    EXPECT_EQ(size, block.size());
+    begin += header[3 + i];
+    bytes += block;
+  }
+  std::vector<Value> values(bytes.size() / sizeof(Value));
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
   return values;
 }
 
@@ -112,6 +147,17 @@ TEST(Vtu, EmptyGrid) {
   const std::string text = vtu({});
   EXPECT_NE(text.find("NumberOfPoints=\"0\" NumberOfCells=\"0\""), std::string::npos);
   EXPECT_TRUE(values_of<float>(text, "Points").empty());
+}
+
+TEST(Vtu, LargeArraysHaveSeveralBlocks) {
+  VtuGrid grid;
+  for (int i = 0; i < 100000; ++i) grid.points.push_back({1.0 * i, 0.5 * i, -1.0 * (i % 977)});
+  const std::vector<float> points = values_of<float>(vtu(grid), "Points");
+  ASSERT_EQ(points.size(), 300000U);
+  for (std::size_t i = 0; i < 100000; ++i) {
+    ASSERT_EQ(points[3 * i], static_cast<float>(i));
+    ASSERT_EQ(points[3 * i + 2], -static_cast<float>(i % 977));
+  }
 }
 
 TEST(Vtu, Collection) {
