@@ -3,7 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <new>
+#include <cstddef>
 
 #include "base/parallel.hpp"
 
@@ -14,13 +14,37 @@ constexpr std::size_t block_size = 1U << 18;
 /// The fastest: on meshes the others take two to seven times as long for files that are not smaller.
 constexpr int level = 1;
 
+/// Memory for one stream of zlib, which needs 268 kB of it: where there is none left, this fails as other arrays do.
+struct Arena {
+  std::vector<std::max_align_t> bytes =
+      std::vector<std::max_align_t>((std::size_t{1} << 19) / sizeof(std::max_align_t));
+  std::size_t used = 0;
+
+  static voidpf allocate(voidpf arena, uInt items, uInt size) {
+    auto& own = *static_cast<Arena*>(arena);
+    const std::size_t count = (std::size_t{items} * size + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
+    if (count > own.bytes.size() - own.used) return Z_NULL;
+    own.used += count;
+    return own.bytes.data() + (own.used - count);
+  }
+  static void release(voidpf, voidpf) {}
+};
+
 std::string compressed(std::span<const char> bytes) {
-  auto length = compressBound(static_cast<uLong>(bytes.size()));
-  std::string out(length, '\0');
-  const int status = compress2(reinterpret_cast<Bytef*>(out.data()), &length,
-                               reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()), level);
-  if (status != Z_OK) throw std::bad_alloc();  // the buffer is large enough, so memory is all that can be missing
-  out.resize(length);
+  std::string out(compressBound(static_cast<uLong>(bytes.size())), '\0');
+  Arena arena;
+  z_stream stream{};
+  stream.zalloc = Arena::allocate;
+  stream.zfree = Arena::release;
+  stream.opaque = &arena;
+  deflateInit(&stream, level);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // it does not write there
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);  // there is room for all of it
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
   return out;
 }
 

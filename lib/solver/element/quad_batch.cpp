@@ -342,12 +342,13 @@ bool QuadBatch::takes(const ShellProperties& properties) {
          !properties.viscosity.on();
 }
 
-void QuadBatch::add(const ShellCorners& corners, const ShellState& state) {
+void QuadBatch::add(const std::array<NodeIndex, 4>& nodes, const State& motion, const ShellState& state) {
   const std::size_t i = size++;
   for (std::size_t k = 0; k < 4; ++k) {
-    put(x[k], i, corners.x[k]);
-    put(v[k], i, corners.v[k]);
-    put(w[k], i, corners.w[k]);
+    const std::uint32_t node = nodes[k].value;
+    put(x[k], i, motion.x[node]);
+    put(v[k], i, motion.v[node]);
+    put(w[k], i, motion.w[node]);
   }
   thickness[i] = state.thickness;
   for (std::size_t k = 0; k < 5; ++k) {
@@ -368,18 +369,26 @@ double QuadBatch::integrate(std::size_t i, const ShellProperties& properties, do
   return n.plastic_work;
 }
 
-ShellForces QuadBatch::forces_of(std::size_t i, const ShellProperties& properties, double plastic_work) const {
-  ShellForces out;
+double QuadBatch::exchange(std::size_t i, double dt, std::span<Vector, 4> forces, std::span<Vector, 4> moments) const {
+  double work = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    out.force[k] = get(force[k], i);
-    out.moment[k] = get(moment[k], i);
+    const Vector new_force = get(force[k], i), new_moment = get(moment[k], i);
+    work += dt / 2 * ((forces[k] + new_force).dot(get(v[k], i)) + (moments[k] + new_moment).dot(get(w[k], i)));
+    forces[k] = new_force;
+    moments[k] = new_moment;
   }
+  return work;
+}
+
+ShellForces QuadBatch::rest_of(std::size_t i, const ShellProperties& properties, double plastic_work) const {
+  ShellForces out;
   out.hourglass_work = hourglass_work[i];
   out.dissipated = middle_area[i] * plastic_work;
   if (properties.hourglass.kind == HourglassKind::viscous) out.dissipated += out.hourglass_work;
   out.manual_step = manual_step[i];
   out.stable_step = stable_step[i];
-  out.good = area[i] > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());
+  const auto sum = [&](const Rows& rows) { return rows[0][i] + rows[1][i] + rows[2][i]; };
+  out.good = area[i] > 0 && std::isfinite(sum(force[0]) + sum(force[1]) + sum(moment[0]));
   return out;
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <span>
 
+#include "base/ids.hpp"
 #include "solver/element/shell.hpp"
+#include "solver/state/state.hpp"
 
 namespace gapcheck::solver {
 
@@ -34,13 +37,17 @@ struct QuadBatch {
   Row manual_step, stable_step;
   Row gradient;  ///< of end() alone
 
-  /// The batch must not be full.
-  void add(const ShellCorners& corners, const ShellState& state);
+  /// The batch must not be full. `nodes`: of the corners.
+  void add(const std::array<NodeIndex, 4>& nodes, const State& motion, const ShellState& state);
   /// Between begin() and end(), for each quad: updates its points and its state to the end of the step. Returns the
   /// plastic work per area.
   double integrate(std::size_t i, const ShellProperties& properties, double dt, ShellState& state,
                    std::span<PointState> points);
-  [[nodiscard]] ShellForces forces_of(std::size_t i, const ShellProperties& properties, double plastic_work) const;
+  /// Replaces the corners' forces and moments; returns the work of the old and the new ones over the step.
+  [[nodiscard]] double exchange(std::size_t i, double dt, std::span<Vector, 4> forces,
+                                std::span<Vector, 4> moments) const;
+  /// Everything else that quad_forces() returns; forces and moments are not set.
+  [[nodiscard]] ShellForces rest_of(std::size_t i, const ShellProperties& properties, double plastic_work) const;
 
   /// Frames, hourglass stresses and strains.
   void begin(const ShellProperties& properties, double dt);

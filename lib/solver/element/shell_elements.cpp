@@ -20,6 +20,23 @@ ShellCorners corners_of(const std::array<NodeIndex, 4>& nodes, const State& stat
   return corners;
 }
 
+/// Of the corners of a shell.
+std::span<Vector, 4> four_of(std::vector<Vector>& list, std::size_t shell) {
+  return std::span<Vector, 4>(&list[4 * shell], 4);
+}
+
+/// Replaces the forces and moments of a shell; returns the work of the old and the new ones over the step.
+double exchange(const ShellForces& now, const ShellCorners& corners, double dt, std::span<Vector, 4> forces,
+                std::span<Vector, 4> moments) {
+  double work = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    work += dt / 2 * ((forces[k] + now.force[k]).dot(corners.v[k]) + (moments[k] + now.moment[k]).dot(corners.w[k]));
+    forces[k] = now.force[k];
+    moments[k] = now.moment[k];
+  }
+  return work;
+}
+
 }  // namespace
 
 std::uint32_t ShellElements::add_properties(ShellProperties properties) {
@@ -122,7 +139,10 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
   const ShellCorners corners = corners_of(nodes_[shell], state);
   const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
   ShellForces forces = this->forces(shell, corners, state.dt, state_[shell], points);
-  return conclude(state, shell, corners, forces);
+  Summary summary;
+  fails_now(state, shell, forces, summary);
+  summary.work = exchange(forces, corners, state.dt, four_of(force_, shell), four_of(moment_, shell));
+  return conclude(shell, forces, summary);
 }
 
 std::size_t ShellElements::end_of_batch(std::size_t first, std::size_t last) const {
@@ -138,12 +158,8 @@ std::size_t ShellElements::end_of_batch(std::size_t first, std::size_t last) con
 void ShellElements::update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum) {
   const ShellProperties& own = properties(first);
   QuadBatch batch;
-  std::array<ShellCorners, QuadBatch::capacity> corners;
   std::array<double, QuadBatch::capacity> plastic_work;
-  for (std::size_t shell = first; shell < last; ++shell) {
-    corners[shell - first] = corners_of(nodes_[shell], state);
-    batch.add(corners[shell - first], state_[shell]);
-  }
+  for (std::size_t shell = first; shell < last; ++shell) batch.add(nodes_[shell], state, state_[shell]);
   batch.begin(own, state.dt);
   for (std::size_t shell = first; shell < last; ++shell) {
     const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
@@ -151,39 +167,40 @@ void ShellElements::update_batch(const State& state, std::size_t first, std::siz
   }
   batch.end(own);
   for (std::size_t shell = first; shell < last; ++shell) {
-    ShellForces forces = batch.forces_of(shell - first, own, plastic_work[shell - first]);
-    sum.add(conclude(state, shell, corners[shell - first], forces));
+    const std::size_t i = shell - first;
+    ShellForces rest = batch.rest_of(i, own, plastic_work[i]);
+    Summary summary;
+    const std::span<Vector, 4> force = four_of(force_, shell), moment = four_of(moment_, shell);
+    summary.work = fails_now(state, shell, rest, summary)
+                       ? exchange(rest, corners_of(nodes_[shell], state), state.dt, force, moment)
+                       : batch.exchange(i, state.dt, force, moment);
+    sum.add(conclude(shell, rest, summary));
   }
 }
 
-Summary ShellElements::conclude(const State& state, std::size_t shell, const ShellCorners& corners,
-                                ShellForces& forces) {
-  Summary summary;
+bool ShellElements::fails_now(const State& state, std::size_t shell, ShellForces& forces, Summary& summary) {
   const FoldedShell rule = properties(shell).folded;
-  const bool folded = rule != FoldedShell::allowed && is_folded(corners.x);
-  if (fails(properties(shell), points(shell), state.time) || (folded && rule == FoldedShell::fails)) {
+  const bool folded = rule != FoldedShell::allowed && is_folded(places_of(nodes_[shell], state.x));
+  const bool fails =
+      solver::fails(properties(shell), points(shell), state.time) || (folded && rule == FoldedShell::fails);
+  if (fails) {
     failed_[shell] = 1;
     forces = ShellForces::none();
     summary.failed = 1;
   }
-  summary.manual_step = forces.manual_step;
-  summary.stable_step = forces.stable_step;
-  if (!step_factor_.empty()) {
-    summary.manual_step *= step_factor_[shell];
-    summary.stable_step *= step_factor_[shell];
-  }
+  if (folded && rule == FoldedShell::ends_run) forces.good = false;
+  return fails;
+}
+
+Summary ShellElements::conclude(std::size_t shell, const ShellForces& forces, Summary summary) {
+  const double factor = step_factor_.empty() ? 1 : step_factor_[shell];
+  summary.manual_step = forces.manual_step * factor;
+  summary.stable_step = forces.stable_step * factor;
   watched_.note(shell, summary.manual_step, summary.stable_step);
   summary.hourglass_work = forces.hourglass_work;
   summary.dissipated = forces.dissipated;
   summary.viscous_work = forces.viscous_work;
-  if (!forces.good || (folded && rule == FoldedShell::ends_run)) summary.bad = static_cast<std::uint32_t>(shell);
-  for (std::size_t k = 0; k < 4; ++k) {
-    Vector &force = force_[4 * shell + k], &moment = moment_[4 * shell + k];
-    summary.work +=
-        state.dt / 2 * ((force + forces.force[k]).dot(corners.v[k]) + (moment + forces.moment[k]).dot(corners.w[k]));
-    force = forces.force[k];
-    moment = forces.moment[k];
-  }
+  if (!forces.good) summary.bad = static_cast<std::uint32_t>(shell);
   summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(shell);
   energy_[shell].add(summary);
   return summary;

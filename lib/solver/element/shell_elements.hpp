@@ -100,9 +100,10 @@ class ShellElements {
   [[nodiscard]] std::size_t end_of_batch(std::size_t first, std::size_t last) const;
   /// update_one() for shells of a batch, one after the other.
   void update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum);
-  /// Keeps the forces of a shell, unless it fails now.
-  [[nodiscard]] Summary conclude(const State& state, std::size_t shell, const ShellCorners& corners,
-                                 ShellForces& forces);
+  /// Whether a shell fails now: then `forces` are none. A fold that ends the run makes them bad.
+  bool fails_now(const State& state, std::size_t shell, ShellForces& forces, Summary& summary);
+  /// The summary of a shell, of which failure and work are known.
+  [[nodiscard]] Summary conclude(std::size_t shell, const ShellForces& forces, Summary summary);
 
   std::vector<ShellProperties> properties_;
   std::vector<char> batched_;                                             ///< by properties: batches take such quads

@@ -84,14 +84,33 @@ void expect_same(const ShellState& a, const ShellState& b, const std::string& wh
 std::vector<ShellForces> run_batch(const ShellProperties& properties, std::vector<Quad>& quads, double dt,
                                    bool narrow) {
   QuadBatch batch;
-  for (const Quad& quad : quads) batch.add(quad.corners, quad.state);
+  State state;
+  for (const Quad& quad : quads) {
+    const auto first = static_cast<std::uint32_t>(state.x.size());
+    state.x.insert(state.x.end(), quad.corners.x.begin(), quad.corners.x.end());
+    state.v.insert(state.v.end(), quad.corners.v.begin(), quad.corners.v.end());
+    state.w.insert(state.w.end(), quad.corners.w.begin(), quad.corners.w.end());
+    batch.add({NodeIndex{first}, NodeIndex{first + 1}, NodeIndex{first + 2}, NodeIndex{first + 3}}, state, quad.state);
+  }
   narrow ? batch.begin_narrow(properties, dt) : batch.begin(properties, dt);
   std::vector<double> work;
   for (std::size_t i = 0; i < quads.size(); ++i)
     work.push_back(batch.integrate(i, properties, dt, quads[i].state, quads[i].points));
   narrow ? batch.end_narrow(properties) : batch.end(properties);
   std::vector<ShellForces> forces;
-  for (std::size_t i = 0; i < quads.size(); ++i) forces.push_back(batch.forces_of(i, properties, work[i]));
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    ShellForces& now = forces.emplace_back(batch.rest_of(i, properties, work[i]));
+    now.force.fill(Vector(1, 2, 3));
+    now.moment.fill(Vector(4, 5, 6));
+    double expected = 0;
+    const ShellForces before = now;
+    const double exchanged = batch.exchange(i, dt, now.force, now.moment);
+    for (std::size_t k = 0; k < 4; ++k)
+      expected += dt / 2 *
+                  ((before.force[k] + now.force[k]).dot(quads[i].corners.v[k]) +
+                   (before.moment[k] + now.moment[k]).dot(quads[i].corners.w[k]));
+    if (now.good) EXPECT_EQ(exchanged, expected);
+  }
   return forces;
 }
 
