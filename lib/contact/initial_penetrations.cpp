@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
@@ -41,6 +42,10 @@ class SideSearch {
     const SideScene side(of_.model, contact_, surfaces_, exchanged, of_.present.x());
     const PairScene& all = side.scene();
     TrackedNodes nodes;
+    nodes.node.reserve(left.size());
+    nodes.half.reserve(left.size());
+    nodes.rule.reserve(left.size());
+    nodes.part.reserve(left.size());
     for (const Hit& hit : left) {
       nodes.node.push_back(all.nodes.node[hit.slot.value]);
       nodes.half.push_back(all.nodes.half[hit.slot.value]);
@@ -91,7 +96,8 @@ class SideSearch {
       std::erase_if(hits, [&](const Hit& hit) { return !hit.in_band || only_touches(scene, hit); });
     list_.keep_one_per_node(hits, nodes, of_.model.mesh.nodes.id);
     if (of_.options.edges && type.edges) add_edges(scene);
-    move_nodes(scene, hits, add_nodes(scene, hits), left_[exchanged]);
+    const std::span<const Penetration> records = add_nodes(scene, hits);
+    if (!of_.options.nodes_stay) move_nodes(scene, std::move(hits), records, left_[exchanged]);
   }
 
  private:
@@ -134,15 +140,16 @@ class SideSearch {
   }
 
   /// `left`: gets the hits whose nodes are moved, if that is asked for.
-  void move_nodes(const PairScene& scene, std::span<const Hit> hits, std::span<const Penetration> records,
+  void move_nodes(const PairScene& scene, std::vector<Hit> hits, std::span<const Penetration> records,
                   std::vector<Hit>& left) {
-    if (of_.options.nodes_stay) return;
+    std::size_t moved = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      const NodeIndex node = scene.nodes.node[hits[i].slot.value];
       if (records[i].outcome != Outcome::moved) continue;
-      of_.present.move(node, records[i].moved_to);
-      if (of_.options.moved_into) left.push_back(hits[i]);
+      of_.present.move(scene.nodes.node[hits[i].slot.value], records[i].moved_to);
+      hits[moved++] = hits[i];
     }
+    hits.resize(moved);
+    if (of_.options.moved_into) left = std::move(hits);
   }
 
   const InitialSearch& of_;
