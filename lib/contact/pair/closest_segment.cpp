@@ -7,6 +7,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <mutex>
 #include <span>
 #include <utility>
 
@@ -70,14 +71,22 @@ class PairSweep {
   /// What still waits in the batches.
   void finish() {
     for (Waiting& waiting : waiting_) flush(waiting);
+    settle_late();
   }
   /// Once all sweeps have finished: moves the hits that may count, and the pairs with oriented segments that are not
   /// hits, to lists that the sweeps share.
   void move_hits(std::vector<Hit>& hits, std::vector<Hit>& measured) {
     std::erase_if(hits_, [&](const Hit& hit) { return !nearest_.may_count(hit); });
-    hits.insert(hits.end(), hits_.begin(), hits_.end());
-    measured.insert(measured.end(), measured_.begin(), measured_.end());
-    hits_ = measured_ = {};
+    const auto move = [](std::vector<Hit>& from, std::vector<Hit>& to) {
+      if (to.empty())
+        to = std::move(from);
+      else
+        to.insert(to.end(), from.begin(), from.end());
+      from = {};
+    };
+    move(hits_, hits);
+    move(measured_, measured);
+    late_ = {};
   }
   [[nodiscard]] std::uint64_t decided_by(geometry::Stage stage) const {
     return stages_[static_cast<std::size_t>(stage)];
@@ -88,6 +97,13 @@ class PairSweep {
     SlotIndex slot;
     SegmentIndex segment;
   };
+  /// A node that penetrates a two-sided segment, which is nearest to the node somewhere near its point (s, t).
+  struct Late {
+    SlotIndex slot;
+    SegmentIndex segment;
+    float s, t;
+  };
+  static constexpr std::size_t most_late = std::size_t{1} << 18;
   struct Waiting {
     geometry::PairBatch batch;
     std::array<Pair, geometry::PairBatch::capacity> pairs{};
@@ -118,7 +134,8 @@ class PairSweep {
         keep({slot, segment, std::sqrt(batch.squared_distance(i)), true}, true);
       } else if ((batch.closer() >> i & 1) != 0 && !scene_.settings.square_edges) {
         count(geometry::Stage::filter, 1);
-        keep_closer(slot, segment, batch.s(i), batch.t(i));
+        late_.push_back({slot, segment, static_cast<float>(batch.s(i)), static_cast<float>(batch.t(i))});
+        if (late_.size() == most_late) settle_late();
       } else {
         decide_alone(slot, segment);
       }
@@ -133,15 +150,20 @@ class PairSweep {
       keep({slot, segment, pair.distance, pair.in_band}, pair.penetrates);
   }
 
-  /// A node that penetrates a two-sided segment; near its point (s, t) the segment is nearest to the node.
-  void keep_closer(SlotIndex slot, SegmentIndex segment, double s, double t) {
-    if (!allowed_(slot, segment, true)) return;
-    if (proven_farther(scene_.facet(segment), scene_.position(slot), s, t, nearest_.limit(slot))) return;
-    const PairResult pair = measure_pair(scene_, slot, segment);
-    keep_allowed({slot, segment, pair.distance, pair.in_band}, true);
+  /// Measures the pairs that were put off: by now, most of their nodes have a nearer segment.
+  void settle_late() {
+    for (const auto& [slot, segment, s, t] : late_) {
+      if (allowed_.tallies && !allowed_(slot, segment, true)) continue;
+      if (proven_farther(scene_.facet(segment), scene_.position(slot), s, t, nearest_.limit(slot))) continue;
+      if (!allowed_.tallies && !allowed_(slot, segment, true)) continue;
+      const PairResult pair = measure_pair(scene_, slot, segment);
+      keep_allowed({slot, segment, pair.distance, pair.in_band}, true);
+    }
+    late_.clear();
   }
 
   void keep(const Hit& hit, bool penetrates) {
+    if (!allowed_.tallies && penetrates && !nearest_.may_count(hit)) return;
     if (allowed_(hit.slot, hit.segment, penetrates)) keep_allowed(hit, penetrates);
   }
 
@@ -150,7 +172,8 @@ class PairSweep {
     (penetrates ? hits_ : measured_).push_back(hit);
     if (hits_.size() + measured_.size() < full_) return;
     std::erase_if(hits_, [&](const Hit& kept) { return !nearest_.may_count(kept); });
-    if (hits_.size() + measured_.size() > full_ / 2) drop_farther(scene_, hits_, measured_);
+    if (hits_.size() + measured_.size() > std::max(full_ / 2, scene_.nodes.size()))
+      drop_farther(scene_, hits_, measured_);
     full_ = std::max(full_, 2 * (hits_.size() + measured_.size()));
   }
 
@@ -158,6 +181,7 @@ class PairSweep {
   const PairFilter& allowed_;
   NearestHits& nearest_;
   std::array<Waiting, 2> waiting_{Waiting{geometry::PairBatch(false)}, Waiting{geometry::PairBatch(true)}};
+  std::vector<Late> late_;
   std::vector<Hit> hits_, measured_;
   std::size_t full_ = std::size_t{1} << 18;  ///< pairs held before those that cannot count are dropped
   std::array<std::uint64_t, 4> stages_{};
@@ -191,6 +215,52 @@ std::vector<Hit> chosen_hits(const PairScene& scene, std::vector<Hit> all, std::
   return std::move(hits.hits);
 }
 
+/// Grows a box by another one; empty ones and numbers that are not finite leave it as it is.
+void join(Bounds& box, const Bounds& other) {
+  box.low = box.low.cwiseMin(other.low);
+  box.high = box.high.cwiseMax(other.high);
+}
+
+/// Tracked nodes and their positions, ascending by slot, and the box around them.
+struct Placed {
+  std::vector<Vector> points;
+  std::vector<SlotIndex> slots;
+  Bounds bounds;
+};
+
+/// The tracked nodes inside a closed box.
+Placed nodes_inside(const PairScene& scene, const Bounds& box) {
+  constexpr std::size_t block = 8192;
+  const std::size_t count = scene.nodes.size(), blocks = (count + block - 1) / block;
+  const auto each_inside = [&](std::size_t b, const auto& visit) {
+    for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i)
+      if (const Vector p = scene.position(to_index<SlotIndex>(i)); box.contains(p)) visit(to_index<SlotIndex>(i), p);
+  };
+  std::vector<std::size_t> first(blocks + 1, 0);
+  parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) each_inside(b, [&](SlotIndex, const Vector&) { ++first[b + 1]; });
+  });
+  for (std::size_t b = 0; b < blocks; ++b) first[b + 1] += first[b];
+  Placed placed;
+  placed.points.resize(first.back());
+  placed.slots.resize(first.back());
+  std::mutex mutex;
+  parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
+    Bounds here;
+    for (std::size_t b = begin; b < end; ++b) {
+      std::size_t to = first[b];
+      each_inside(b, [&](SlotIndex slot, const Vector& p) {
+        placed.points[to] = p;
+        placed.slots[to++] = slot;
+        here.add(p);
+      });
+    }
+    const std::scoped_lock lock(mutex);
+    join(placed.bounds, here);
+  });
+  return placed;
+}
+
 }  // namespace
 
 void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
@@ -205,45 +275,40 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
     return box;
   };
   constexpr std::size_t grain = 4096;
+  Bounds all_boxes;
+  std::mutex mutex;
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
+    Bounds here;
     for (std::size_t i = begin; i < end; ++i) {
       const auto segment = to_index<SegmentIndex>(i);
       if (scene.passive(segment)) continue;
       boxes[i] = grown(core(i), reach(segment) + (s.offset.empty() ? 0 : std::abs(s.offset[i])));
+      join(here, boxes[i]);
     }
+    const std::scoped_lock lock(mutex);
+    join(all_boxes, here);
   });
   // Cull by the boxes of the two sides before anything is sorted.
-  Bounds all_boxes, all_points;
-  for (const Bounds& b : boxes) {
-    all_boxes.low = all_boxes.low.cwiseMin(b.low);
-    all_boxes.high = all_boxes.high.cwiseMax(b.high);
-  }
-  std::vector<Vector> points;
-  std::vector<SlotIndex> slots;
-  points.reserve(scene.nodes.size());
-  slots.reserve(scene.nodes.size());
-  for (const SlotIndex slot : positions<SlotIndex>(scene.nodes.size())) {
-    const Vector p = scene.position(slot);
-    if (!(p.array() >= all_boxes.low.array()).all() || !(p.array() <= all_boxes.high.array()).all()) continue;
-    points.push_back(p);
-    slots.push_back(slot);
-    all_points.add(p);
-  }
+  const auto [points, slots, all_points] = nodes_inside(scene, all_boxes);
   counters.points_culled += scene.nodes.size() - points.size();
-  std::uint64_t culled = 0;
-  for (Bounds& b : boxes) {
-    if (points.empty() || !b.meets(all_points)) {
-      b = Bounds{};
-      ++culled;
-    }
-  }
+  std::atomic<std::uint64_t> culled{0};
+  parallel_for(boxes.size(), grain,
+               [&, &points = points, &all_points = all_points](std::size_t begin, std::size_t end) {
+                 std::uint64_t here = 0;
+                 for (std::size_t i = begin; i < end; ++i) {
+                   if (!points.empty() && boxes[i].meets(all_points)) continue;
+                   boxes[i] = Bounds{};
+                   ++here;
+                 }
+                 culled += here;
+               });
   counters.segments_culled += culled;
   if (points.empty()) {
     ++counters.searches_culled;
     return;
   }
   std::atomic<std::uint64_t> pairs{0};
-  const CandidateSink sink = [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
+  const CandidateSink sink = [&, &slots = slots](std::uint32_t box, std::span<const std::uint32_t> inside) {
     static thread_local std::vector<SlotIndex> local;
     local.clear();
     const auto& corners = s.nodes[box];
