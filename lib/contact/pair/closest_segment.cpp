@@ -341,7 +341,11 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
     for_each_candidate(
         scene, search, [&](SegmentIndex s) { return scene.reach(s, largest_half); }, counters,
         [&](SegmentIndex segment, std::span<const SlotIndex> slots) { sweeps.local().visit(segment, slots); });
-    for (PairSweep& sweep : sweeps) sweep.finish();
+    std::vector<PairSweep*> list;
+    for (PairSweep& sweep : sweeps) list.push_back(&sweep);
+    parallel_for(list.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) list[i]->finish();
+    });
     for (PairSweep& sweep : sweeps) {
       sweep.move_hits(all, measured);
       using geometry::Stage;

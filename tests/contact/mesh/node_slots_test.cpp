@@ -46,9 +46,9 @@ TEST(NodeSlots, AreThePositionsInASortedList) {
       }
       for (int i = 0; i < 100; ++i) {
         const std::uint32_t node = first + static_cast<std::uint32_t>(random() % range);
-        if (!sorted.contains(node)) EXPECT_EQ(slots.slot(NodeIndex{node}), no_position);
+        EXPECT_EQ(slots.slot(NodeIndex{node}) == no_position, !sorted.contains(node));
       }
-      if (first > 0) EXPECT_EQ(slots.slot(NodeIndex{first - 1}), no_position);
+      EXPECT_EQ(slots.slot(NodeIndex{first - 1}), no_position);
       EXPECT_EQ(slots.slot(NodeIndex{first + range}), no_position);
     }
   }
