@@ -71,6 +71,14 @@ bool keep(const Penetration& p, const Selection& selection) {
   return o.parts.empty() || chosen(p.part) || chosen(p.element_part);
 }
 
+/// True if the selection keeps every penetration.
+bool keeps_all(const Selection& selection) {
+  const AuditOptions& o = selection.options();
+  for (std::size_t kind = 0; kind < penetration_kinds; ++kind)
+    if (!selection.wanted(static_cast<PenetrationKind>(kind))) return false;
+  return o.rtol < 0 && o.ratio < 0 && o.parts.empty();
+}
+
 /// --part applies to findings that name a part; others concern no particular part.
 bool keep(const Finding& f, const std::vector<std::int64_t>& parts) {
   if (parts.empty() || (f.part == 0 && f.element_part == 0)) return true;
@@ -105,14 +113,15 @@ void set_severities(const Severities& severities, Report& report) {
       if (const auto changed = severities.find(f.id); changed != severities.end()) f.severity = changed->second;
 }
 
-/// Numbers of a contact's block after the filters, so that totals and list agree.
-void recount(Report& report) {
-  for (ContactSummary& contact : report.contacts) {
-    clear_counts(contact);
-    contact.untied = 0;
-  }
+/// Numbers of a contact's block after the filters, so that totals and list agree. `found`: penetrations before them.
+void recount(std::size_t found, Report& report) {
+  for (ContactSummary& contact : report.contacts) contact.untied = 0;
   for (const TieFailure& failure : report.tie_failures)
     if (untied(failure.reason)) ++report.contacts[failure.contact].untied;
+  const bool shortened = std::any_of(report.contacts.begin(), report.contacts.end(),
+                                     [](const ContactSummary& contact) { return contact.reported_penetrations > 0; });
+  if (found == report.penetrations.size() && !shortened) return;  // they were counted when they were found
+  for (ContactSummary& contact : report.contacts) clear_counts(contact);
   for (const Penetration& p : report.penetrations) count(p, report.contacts[p.contact]);
 }
 
@@ -187,11 +196,14 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   RuleLog log;
   Context context(deck, selection, results, log);
   run_rules(context, log, report);
+  std::size_t found = 0;
   if (selection.records_wanted() || results.initialised()) {
     contact::InitialState& initial = results.initial();
     report.contacts = std::move(initial.contacts);
     report.penetrations = std::move(initial.penetrations);
-    std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, selection); });
+    found = report.penetrations.size();
+    if (!keeps_all(selection))
+      std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, selection); });
     report.tie_failures = tie_failures(initial, selection);
   } else {
     report.contacts = contacts_alone(model);
@@ -209,7 +221,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   review_ignores(options, ignores, report);
   leave_out_reviews(report, reviews, options);
   set_severities(options.severities, report);
-  if (results.initialised()) recount(report);
+  if (results.initialised()) recount(found, report);
   for (std::size_t i = 0; i < report.contacts.size(); ++i)
     report.contacts[i].file = context.path(model.contacts[i].place.file);
   report.timing.surface_s = results.counters().surface_s + results.surface_store().seconds();

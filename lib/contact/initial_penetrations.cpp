@@ -36,12 +36,17 @@ class SideSearch {
 
   /// Once all nodes are moved: those that have landed in another segment.
   void find_moved_into(bool exchanged, std::vector<MovedInto>& list) {
-    const std::vector<Hit>& left = left_[exchanged];
+    const std::vector<Left>& left = left_[exchanged];
     if (left.empty()) return;
-    const SideScene side(of_.model, contact_, surfaces_, exchanged, of_.present.x());
+    const SideScene side(of_.model, contact_, surfaces_, exchanged, of_.present.x(), &neighbours_);
+    sides_[exchanged].reset();
     const PairScene& all = side.scene();
     TrackedNodes nodes;
-    for (const Hit& hit : left) {
+    nodes.node.reserve(left.size());
+    nodes.half.reserve(left.size());
+    nodes.rule.reserve(left.size());
+    nodes.part.reserve(left.size());
+    for (const Left& hit : left) {
       nodes.node.push_back(all.nodes.node[hit.slot.value]);
       nodes.half.push_back(all.nodes.half[hit.slot.value]);
       nodes.rule.push_back(all.nodes.rule[hit.slot.value]);
@@ -77,10 +82,10 @@ class SideSearch {
     const TrackedNodes& nodes = (exchanged ? surfaces_.b : surfaces_.a).nodes;
     const ContactSide& reference = exchanged || !surfaces_.two_sided() ? surfaces_.a : surfaces_.b;
     if (nodes.size() == 0 || reference.selection.segments.size() == 0) return;
-    std::optional<SideScene> side;
+    std::optional<SideScene>& side = sides_[exchanged];
     {
       const Stopwatch watch(of_.counters.surface_s);
-      side.emplace(of_.model, contact_, surfaces_, exchanged, of_.present.x());
+      side.emplace(of_.model, contact_, surfaces_, exchanged, of_.present.x(), &neighbours_);
     }
     PairScene& scene = side->scene();
     scene.tolerance = of_.options.tolerance;
@@ -91,7 +96,9 @@ class SideSearch {
       std::erase_if(hits, [&](const Hit& hit) { return !hit.in_band || only_touches(scene, hit); });
     list_.keep_one_per_node(hits, nodes, of_.model.mesh.nodes.id);
     if (of_.options.edges && type.edges) add_edges(scene);
-    move_nodes(scene, hits, add_nodes(scene, hits), left_[exchanged]);
+    const std::span<const Penetration> records = add_nodes(scene, hits);
+    if (!of_.options.nodes_stay) move_nodes(scene, hits, records, left_[exchanged]);
+    if (left_[exchanged].empty()) side.reset();
   }
 
  private:
@@ -107,7 +114,8 @@ class SideSearch {
       if (rule == PairRule::tied) tied_pairs += penetrates;
       return rule == PairRule::counts;
     };
-    std::vector<Hit> hits = closest_segments(scene, of_.search, allowed, of_.counters.sweep, of_.counters.decisions);
+    const PairFilter filter{allowed, !exclusions_.empty() || of_.ties.size() > 0};
+    std::vector<Hit> hits = closest_segments(scene, of_.search, filter, of_.counters.sweep, of_.counters.decisions);
     of_.counters.tied_pairs += tied_pairs;
     of_.counters.excluded_pairs += excluded;
     return hits;
@@ -133,15 +141,20 @@ class SideSearch {
     return records;
   }
 
-  /// `left`: gets the hits whose nodes are moved, if that is asked for.
+  /// A node that is moved, and the segment out of which it is moved.
+  struct Left {
+    SlotIndex slot;
+    SegmentIndex segment;
+  };
+
+  /// `left`: gets the nodes that are moved, if that is asked for.
   void move_nodes(const PairScene& scene, std::span<const Hit> hits, std::span<const Penetration> records,
-                  std::vector<Hit>& left) {
-    if (of_.options.nodes_stay) return;
+                  std::vector<Left>& left) {
+    if (of_.options.moved_into) left.reserve(hits.size());
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      const NodeIndex node = scene.nodes.node[hits[i].slot.value];
       if (records[i].outcome != Outcome::moved) continue;
-      of_.present.move(node, records[i].moved_to);
-      if (of_.options.moved_into) left.push_back(hits[i]);
+      of_.present.move(scene.nodes.node[hits[i].slot.value], records[i].moved_to);
+      if (of_.options.moved_into) left.push_back({hits[i].slot, hits[i].segment});
     }
   }
 
@@ -150,7 +163,9 @@ class SideSearch {
   const ContactSurfaces& surfaces_;
   const Exclusions& exclusions_;
   PenetrationList& list_;
-  std::array<std::vector<Hit>, 2> left_;  ///< by side of the nodes: hits whose nodes were moved, ascending by slot
+  NeighbourCache neighbours_;
+  std::array<std::optional<SideScene>, 2> sides_;  ///< by side of the nodes: kept while its neighbours are needed again
+  std::array<std::vector<Left>, 2> left_;          ///< by side of the nodes: those that were moved, ascending by slot
 };
 
 }  // namespace

@@ -66,7 +66,7 @@ std::vector<Input> inputs_of(SceneKind kind, std::uint64_t shells, SceneFacts& f
       const contact::SideScene side(model.value(), c, sides, exchanged, model.value().mesh.nodes.x);
       contact::SweepCounters counters;
       geometry::DecisionCounters decisions;
-      const auto all = [](SlotIndex, SegmentIndex, bool) { return true; };
+      const contact::PairFilter all{[](SlotIndex, SegmentIndex, bool) { return true; }};
       (void)contact::closest_segments(side.scene(), recorder, all, counters, decisions);
     }
   }

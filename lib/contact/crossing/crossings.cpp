@@ -86,6 +86,25 @@ struct Side {
   mutable std::unique_ptr<const Neighbours> neighbours_;
 };
 
+/// Heights over the plane of a triangle.
+class Plane {
+ public:
+  explicit Plane(const Triangle& t) : origin_(t[0]), normal_((t[1] - t[0]).cross(t[2] - t[0]).stableNormalized()) {}
+  [[nodiscard]] double height(const Vector& x) const { return normal_.dot(x - origin_); }
+  /// How far the points stick out on the side where they stick out less.
+  [[nodiscard]] double depth(const model::SegmentNodes& nodes, const std::vector<Vector>& x) const {
+    double low = 0, high = 0;
+    for (const NodeIndex n : nodes) {
+      low = std::min(low, height(x[n.value]));
+      high = std::max(high, height(x[n.value]));
+    }
+    return std::min(-low, high);
+  }
+
+ private:
+  Vector origin_, normal_;
+};
+
 /// One of the triangles of a segment: its corners, and which corners of the segment they are.
 struct Piece {
   Triangle x;
@@ -104,25 +123,11 @@ struct Pieces {
     if (n[2] != n[3]) count = 2;
   }
   [[nodiscard]] std::span<const Piece> all() const { return {list.data(), count}; }
-};
-
-/// Heights over the plane of a triangle.
-class Plane {
- public:
-  explicit Plane(const Triangle& t) : origin_(t[0]), normal_((t[1] - t[0]).cross(t[2] - t[0]).stableNormalized()) {}
-  [[nodiscard]] double height(const Vector& x) const { return normal_.dot(x - origin_); }
-  /// How far the points stick out on the side where they stick out less.
-  [[nodiscard]] double depth(const model::SegmentNodes& nodes, const std::vector<Vector>& x) const {
-    double low = 0, high = 0;
-    for (const NodeIndex n : nodes) {
-      low = std::min(low, height(x[n.value]));
-      high = std::max(high, height(x[n.value]));
-    }
-    return std::min(-low, high);
+  /// Of a triangle, both are its own.
+  [[nodiscard]] std::array<Plane, 2> planes() const {
+    const Plane first(list[0].x);
+    return {first, count > 1 ? Plane(list[1].x) : first};
   }
-
- private:
-  Vector origin_, normal_;
 };
 
 /// Position of a triangle relative to a plane, within a tolerance.
@@ -167,17 +172,22 @@ class Decider {
     if (line_b) return pierce(b_, j, a_, i, tolerance, out);
     const model::SegmentNodes &nodes_a = a_.segments.nodes[i.value], &nodes_b = b_.segments.nodes[j.value];
     const Pieces of_a(nodes_a, a_.x), of_b(nodes_b, b_.x);
+    // How far either segment sticks out of the planes of the other one's pieces.
+    const std::array<Plane, 2> planes_a = of_a.planes(), planes_b = of_b.planes();
+    std::array<double, 2> of_b_out{}, of_a_out{};
+    for (std::size_t k = 0; k < of_a.count; ++k) of_b_out[k] = planes_a[k].depth(nodes_b, b_.x);
+    for (std::size_t k = 0; k < of_b.count; ++k) of_a_out[k] = planes_b[k].depth(nodes_a, a_.x);
     bool any = false;
-    for (const Piece& p : of_a.all())
-      for (const Piece& q : of_b.all()) {
-        const Plane of_p(p.x), of_q(q.x);
-        const double depth = std::min(of_q.depth(nodes_a, a_.x), of_p.depth(nodes_b, b_.x));
+    for (std::size_t k = 0; k < of_a.count; ++k)
+      for (std::size_t l = 0; l < of_b.count; ++l) {
+        const Piece &p = of_a.list[k], &q = of_b.list[l];
+        const double depth = std::min(of_a_out[l], of_b_out[k]);
         geometry::Line line;
         double least = tolerance;  // shorter ones are corners that touch
         if (depth > tolerance && geometry::triangles_cross(p.x, q.x, options_.mode, counters_.decisions))
           line = geometry::common_line(p.x, q.x);
         else {
-          line = line_of_meshes(i, p, j, q, tolerance);
+          line = line_of_meshes({i, p, planes_a[k]}, {j, q, planes_b[l]}, tolerance);
           least = 2 * tolerance;
         }
         if (!(line.length() > least)) continue;
@@ -247,13 +257,19 @@ class Decider {
     return all.low < -tolerance && all.high > tolerance;
   }
 
+  struct PieceOf {
+    SegmentIndex segment;
+    const Piece& piece;
+    const Plane& plane;
+  };
+
   /// The line in which two triangles meet within the tolerance, if they belong to surfaces that go through each other.
-  geometry::Line line_of_meshes(SegmentIndex i, const Piece& p, SegmentIndex j, const Piece& q,
-                                double tolerance) const {
-    const std::vector<Triangle> a = surface_at(a_, i, p, Plane(q.x), tolerance);
-    const std::vector<Triangle> b = surface_at(b_, j, q, Plane(p.x), tolerance);
+  geometry::Line line_of_meshes(const PieceOf& p, const PieceOf& q, double tolerance) const {
+    const std::vector<Triangle> a = surface_at(a_, p.segment, p.piece, q.plane, tolerance);
+    if (a.empty()) return {};
+    const std::vector<Triangle> b = surface_at(b_, q.segment, q.piece, p.plane, tolerance);
     if (!goes_through(a, b, tolerance) || !goes_through(b, a, tolerance)) return {};
-    const geometry::Line line = geometry::common_line(p.x, q.x, tolerance);
+    const geometry::Line line = geometry::common_line(p.piece.x, q.piece.x, tolerance);
     return cross_around(line, a, b, tolerance) ? line : geometry::Line{};
   }
 

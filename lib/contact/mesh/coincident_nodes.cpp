@@ -6,9 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <mutex>
+#include <span>
 #include <tuple>
 
 #include "base/parallel.hpp"
+#include "base/pieces.hpp"
+#include "base/radix_sort.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -95,21 +98,32 @@ void compare(std::span<CellEntry> cell, const std::vector<Vector>& x, double tol
       found.push_back({std::min(cell[i - 1].node, cell[i].node), std::max(cell[i - 1].node, cell[i].node)});
 }
 
-/// The entries in buckets by the upper bits of their keys. `start`: first entry of each bucket, and the end.
-std::vector<CellEntry> distribute(const std::vector<CellEntry>& entries, std::vector<std::uint32_t>& start) {
-  const int bits = std::clamp(static_cast<int>(std::bit_width(entries.size())) - 2, 1, 24);
-  const auto bucket = [&](const CellEntry& e) {
-    return static_cast<std::size_t>(e.key * 0xD6E8FEB86659FD93ULL >> (64 - bits));
-  };
-  start.assign((std::size_t{1} << bits) + 2, 0);
-  for (const CellEntry& e : entries)
-    if (e.node != none<NodeIndex>) ++start[bucket(e) + 2];
-  for (std::size_t b = 2; b < start.size(); ++b) start[b] += start[b - 1];
-  std::vector<CellEntry> sorted(start.back());
-  for (const CellEntry& e : entries)
-    if (e.node != none<NodeIndex>) sorted[start[bucket(e) + 1]++] = e;
-  start.pop_back();
-  return sorted;
+/// Compares the nodes of the cells that share a hash.
+void compare_cells(std::span<CellEntry> entries, const std::vector<Vector>& x, double tolerance,
+                   std::vector<CoincidentNodes>& found) {
+  if (entries.size() < 2) return;
+  std::sort(entries.begin(), entries.end(),
+            [](const CellEntry& p, const CellEntry& q) { return std::tie(p.key, p.node) < std::tie(q.key, q.node); });
+  for (auto from = entries.begin(); from != entries.end();) {
+    const auto to = std::find_if(from, entries.end(), [&](const CellEntry& e) { return e.key != from->key; });
+    if (to - from > 1) compare({from, to}, x, tolerance, found);
+    from = to;
+  }
+}
+
+/// Of a cell: so many bits that few cells share one.
+struct CellHash {
+  int bits;
+  explicit CellHash(std::size_t entries) : bits(std::clamp(static_cast<int>(std::bit_width(entries)) - 2, 1, 22)) {}
+  std::uint64_t operator()(const CellEntry& e) const { return e.key * 0xD6E8FEB86659FD93ULL >> (64 - bits); }
+};
+
+/// Sorts the entries by their hashes. Returns where pieces of them begin, and their end; no hash is in two pieces.
+std::vector<std::size_t> distribute(std::vector<CellEntry>& entries, const CellHash& hash) {
+  std::vector<CellEntry> spare(entries.size());
+  radix_sort(std::span(entries), std::span(spare), hash.bits, hash);
+  return pieces_of_runs(entries.size(), nodes_per_task,
+                        [&](std::size_t i) { return hash(entries[i]) == hash(entries[i - 1]); });
 }
 
 }  // namespace
@@ -118,23 +132,18 @@ std::vector<CoincidentNodes> coincident_nodes(std::span<const NodeIndex> nodes, 
                                               double tolerance) {
   if (!(tolerance >= 0) || !std::isfinite(tolerance)) tolerance = 0;
   const double cell = tolerance > 0 ? cell_tolerances * tolerance : 1;
-  std::vector<std::uint32_t> start;
-  std::vector<CellEntry> entries = distribute(enter(nodes, x, cell, tolerance), start);
+  std::vector<CellEntry> entries = enter(nodes, x, cell, tolerance);
+  std::erase_if(entries, [](const CellEntry& e) { return e.node == none<NodeIndex>; });
+  const CellHash hash(entries.size());
+  const std::vector<std::size_t> pieces = distribute(entries, hash);
   std::vector<CoincidentNodes> found;
   std::mutex mutex;
-  parallel_for(start.size() - 1, nodes_per_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for(pieces.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
     std::vector<CoincidentNodes> here;
-    for (std::size_t b = begin; b < end; ++b) {
-      const auto first = entries.begin() + start[b], last = entries.begin() + start[b + 1];
-      if (last - first < 2) continue;
-      std::sort(first, last, [](const CellEntry& p, const CellEntry& q) {
-        return std::tie(p.key, p.node) < std::tie(q.key, q.node);
-      });
-      for (auto from = first; from != last;) {
-        const auto to = std::find_if(from, last, [&](const CellEntry& e) { return e.key != from->key; });
-        if (to - from > 1) compare({from, to}, x, tolerance, here);
-        from = to;
-      }
+    for (std::size_t first = pieces[begin], last = first; first < pieces[end]; first = last) {
+      last = first + 1;
+      while (last < pieces[end] && hash(entries[last]) == hash(entries[first])) ++last;
+      compare_cells(std::span(entries).subspan(first, last - first), x, tolerance, here);
     }
     const std::scoped_lock lock(mutex);
     found.insert(found.end(), here.begin(), here.end());

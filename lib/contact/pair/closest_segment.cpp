@@ -7,14 +7,17 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <mutex>
 #include <span>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "contact/pair/hidden_faces.hpp"
 #include "contact/pair/nearer_segments.hpp"
+#include "contact/pair/nearest_hits.hpp"
 #include "contact/search/nearest_boxes.hpp"
 #include "geometry/pair_batch.hpp"
+#include "geometry/view.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -23,22 +26,39 @@ namespace {
 struct BySlot {
   std::vector<std::uint32_t> start;
   std::vector<Hit> hits;
-  BySlot(const std::vector<Hit>& all, std::size_t slots) : start(slots + 1, 0), hits(all.size()) {
-    for (const Hit& hit : all) ++start[hit.slot.value + 1];
-    for (std::size_t i = 0; i < slots; ++i) start[i + 1] += start[i];
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (const Hit& hit : all) hits[next[hit.slot.value]++] = hit;
+  BySlot(const std::vector<Hit>& all, std::size_t slots) : start(slots + 2, 0), hits(all.size()) {
+    // Counts two entries ahead, so that filling leaves every start correct.
+    for (const Hit& hit : all) ++start[hit.slot.value + 2];
+    for (std::size_t i = 0; i < slots; ++i) start[i + 2] += start[i + 1];
+    for (const Hit& hit : all) hits[start[hit.slot.value + 1]++] = hit;
   }
   [[nodiscard]] std::span<const Hit> of(std::size_t slot) const {
     return {hits.data() + start[slot], hits.data() + start[slot + 1]};
   }
 };
 
+/// Proves the facet farther from the query than the limit, by the plane through the facet's point (s, t) that faces the
+/// query. The distances that are compared later are rounded, by far less than the margin.
+bool proven_farther(const geometry::Facet& facet, const Vector& query, double s, double t, double limit) {
+  const geometry::Corners e = geometry::seen_from(facet, query);
+  const Vector point =
+      ((1 - s) * (1 - t) * e[0] + (1 + s) * (1 - t) * e[1] + (1 + s) * (1 + t) * e[2] + (1 - s) * (1 + t) * e[3]) / 4;
+  double least = point.dot(e[0]), size = 0;
+  for (const Vector& corner : e) {
+    least = std::min(least, point.dot(corner));
+    size = std::max(size, corner.cwiseAbs().maxCoeff());
+  }
+  constexpr double margin = 1e-9;
+  const double bound = (limit + margin * size) * (1 + margin);
+  return least > 0 && least * least > bound * bound * point.squaredNorm();
+}
+
 /// Decides pairs and keeps those that count; one for each thread. Two-sided segments go through batches: for a pair
 /// that is apart, they need to know nothing more.
 class PairSweep {
  public:
-  PairSweep(const PairScene& scene, const PairFilter& pair_allowed) : scene_(scene), allowed_(pair_allowed) {}
+  PairSweep(const PairScene& scene, const PairFilter& pair_allowed, NearestHits& nearest)
+      : scene_(scene), allowed_(pair_allowed), nearest_(nearest) {}
 
   void visit(SegmentIndex segment, std::span<const SlotIndex> slots) {
     if (scene_.mode == geometry::Mode::exact || scene_.line(segment) || scene_.oriented(segment)) {
@@ -51,10 +71,23 @@ class PairSweep {
   /// What still waits in the batches.
   void finish() {
     for (Waiting& waiting : waiting_) flush(waiting);
+    settle_late();
   }
-  [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
-  /// Pairs with oriented segments that are not hits.
-  [[nodiscard]] const std::vector<Hit>& measured() const { return measured_; }
+  /// Once all sweeps have finished: moves the hits that may count, and the pairs with oriented segments that are not
+  /// hits, to lists that the sweeps share.
+  void move_hits(std::vector<Hit>& hits, std::vector<Hit>& measured) {
+    std::erase_if(hits_, [&](const Hit& hit) { return !nearest_.may_count(hit); });
+    const auto move = [](std::vector<Hit>& from, std::vector<Hit>& to) {
+      if (to.empty())
+        to = std::move(from);
+      else
+        to.insert(to.end(), from.begin(), from.end());
+      from = {};
+    };
+    move(hits_, hits);
+    move(measured_, measured);
+    late_ = {};
+  }
   [[nodiscard]] std::uint64_t decided_by(geometry::Stage stage) const {
     return stages_[static_cast<std::size_t>(stage)];
   }
@@ -64,6 +97,13 @@ class PairSweep {
     SlotIndex slot;
     SegmentIndex segment;
   };
+  /// A node that penetrates a two-sided segment, which is nearest to the node somewhere near its point (s, t).
+  struct Late {
+    SlotIndex slot;
+    SegmentIndex segment;
+    float s, t;
+  };
+  static constexpr std::size_t most_late = std::size_t{1} << 18;
   struct Waiting {
     geometry::PairBatch batch;
     std::array<Pair, geometry::PairBatch::capacity> pairs{};
@@ -92,6 +132,10 @@ class PairSweep {
       if (batch.located(i)) {
         count(geometry::Stage::filter, 1);
         keep({slot, segment, std::sqrt(batch.squared_distance(i)), true}, true);
+      } else if ((batch.closer() >> i & 1) != 0 && !scene_.settings.square_edges) {
+        count(geometry::Stage::filter, 1);
+        late_.push_back({slot, segment, static_cast<float>(batch.s(i)), static_cast<float>(batch.t(i))});
+        if (late_.size() == most_late) settle_late();
       } else {
         decide_alone(slot, segment);
       }
@@ -106,33 +150,115 @@ class PairSweep {
       keep({slot, segment, pair.distance, pair.in_band}, pair.penetrates);
   }
 
+  /// Measures the pairs that were put off: by now, most of their nodes have a nearer segment.
+  void settle_late() {
+    for (const auto& [slot, segment, s, t] : late_) {
+      if (allowed_.tallies && !allowed_(slot, segment, true)) continue;
+      if (proven_farther(scene_.facet(segment), scene_.position(slot), s, t, nearest_.limit(slot))) continue;
+      if (!allowed_.tallies && !allowed_(slot, segment, true)) continue;
+      const PairResult pair = measure_pair(scene_, slot, segment);
+      keep_allowed({slot, segment, pair.distance, pair.in_band}, true);
+    }
+    late_.clear();
+  }
+
   void keep(const Hit& hit, bool penetrates) {
-    if (!allowed_(hit.slot, hit.segment, penetrates)) return;
+    if (!allowed_.tallies && penetrates && !nearest_.may_count(hit)) return;
+    if (allowed_(hit.slot, hit.segment, penetrates)) keep_allowed(hit, penetrates);
+  }
+
+  void keep_allowed(const Hit& hit, bool penetrates) {
+    if (penetrates && !nearest_.add(hit)) return;
     (penetrates ? hits_ : measured_).push_back(hit);
     if (hits_.size() + measured_.size() < full_) return;
-    drop_farther(scene_, hits_, measured_);
+    std::erase_if(hits_, [&](const Hit& kept) { return !nearest_.may_count(kept); });
+    if (hits_.size() + measured_.size() > std::max(full_ / 2, scene_.nodes.size()))
+      drop_farther(scene_, hits_, measured_);
     full_ = std::max(full_, 2 * (hits_.size() + measured_.size()));
   }
 
   const PairScene& scene_;
   const PairFilter& allowed_;
+  NearestHits& nearest_;
   std::array<Waiting, 2> waiting_{Waiting{geometry::PairBatch(false)}, Waiting{geometry::PairBatch(true)}};
+  std::vector<Late> late_;
   std::vector<Hit> hits_, measured_;
   std::size_t full_ = std::size_t{1} << 18;  ///< pairs held before those that cannot count are dropped
   std::array<std::uint64_t, 4> stages_{};
 };
 
 /// The hit of every tracked node that counts.
-std::vector<Hit> chosen_hits(const PairScene& scene, const std::vector<Hit>& all, std::vector<Hit> measured) {
+std::vector<Hit> chosen_hits(const PairScene& scene, std::vector<Hit> all, std::vector<Hit> measured) {
   // Hits in front of every facet need no comparison with others.
   if (std::none_of(all.begin(), all.end(), [](const Hit& hit) { return std::signbit(hit.distance); })) measured.clear();
   const std::size_t slots = scene.nodes.size();
-  const BySlot hits(all, slots), others(measured, slots);
-  std::vector<Hit> chosen;
+  const BySlot others(measured, slots);
+  BySlot hits(all, slots);
+  all = {};
+  // The chosen hit replaces the first one of its slot.
+  constexpr std::size_t grain = 8192;
+  parallel_for(slots, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      if (hits.of(slot).empty()) continue;
+      Hit& first = hits.hits[hits.start[slot]];
+      if (const auto hit = choose_hit(scene, hits.of(slot), others.of(slot)))
+        first = *hit;
+      else
+        first.segment = none<SegmentIndex>;
+    }
+  });
+  std::size_t chosen = 0;
   for (std::size_t slot = 0; slot < slots; ++slot)
-    if (!hits.of(slot).empty())
-      if (const auto hit = choose_hit(scene, hits.of(slot), others.of(slot))) chosen.push_back(*hit);
-  return chosen;
+    if (!hits.of(slot).empty() && hits.of(slot)[0].segment != none<SegmentIndex>)
+      hits.hits[chosen++] = hits.of(slot)[0];
+  hits.hits.resize(chosen);
+  return std::move(hits.hits);
+}
+
+/// Grows a box by another one; empty ones and numbers that are not finite leave it as it is.
+void join(Bounds& box, const Bounds& other) {
+  box.low = box.low.cwiseMin(other.low);
+  box.high = box.high.cwiseMax(other.high);
+}
+
+/// Tracked nodes and their positions, ascending by slot, and the box around them.
+struct Placed {
+  std::vector<Vector> points;
+  std::vector<SlotIndex> slots;
+  Bounds bounds;
+};
+
+/// The tracked nodes inside a closed box.
+Placed nodes_inside(const PairScene& scene, const Bounds& box) {
+  constexpr std::size_t block = 8192;
+  const std::size_t count = scene.nodes.size(), blocks = (count + block - 1) / block;
+  const auto each_inside = [&](std::size_t b, const auto& visit) {
+    for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i)
+      if (const Vector p = scene.position(to_index<SlotIndex>(i)); box.contains(p)) visit(to_index<SlotIndex>(i), p);
+  };
+  std::vector<std::size_t> first(blocks + 1, 0);
+  parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) each_inside(b, [&](SlotIndex, const Vector&) { ++first[b + 1]; });
+  });
+  for (std::size_t b = 0; b < blocks; ++b) first[b + 1] += first[b];
+  Placed placed;
+  placed.points.resize(first.back());
+  placed.slots.resize(first.back());
+  std::mutex mutex;
+  parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
+    Bounds here;
+    for (std::size_t b = begin; b < end; ++b) {
+      std::size_t to = first[b];
+      each_inside(b, [&](SlotIndex slot, const Vector& p) {
+        placed.points[to] = p;
+        placed.slots[to++] = slot;
+        here.add(p);
+      });
+    }
+    const std::scoped_lock lock(mutex);
+    join(placed.bounds, here);
+  });
+  return placed;
 }
 
 }  // namespace
@@ -149,45 +275,40 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
     return box;
   };
   constexpr std::size_t grain = 4096;
+  Bounds all_boxes;
+  std::mutex mutex;
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
+    Bounds here;
     for (std::size_t i = begin; i < end; ++i) {
       const auto segment = to_index<SegmentIndex>(i);
       if (scene.passive(segment)) continue;
       boxes[i] = grown(core(i), reach(segment) + (s.offset.empty() ? 0 : std::abs(s.offset[i])));
+      join(here, boxes[i]);
     }
+    const std::scoped_lock lock(mutex);
+    join(all_boxes, here);
   });
   // Cull by the boxes of the two sides before anything is sorted.
-  Bounds all_boxes, all_points;
-  for (const Bounds& b : boxes) {
-    all_boxes.low = all_boxes.low.cwiseMin(b.low);
-    all_boxes.high = all_boxes.high.cwiseMax(b.high);
-  }
-  std::vector<Vector> points;
-  std::vector<SlotIndex> slots;
-  points.reserve(scene.nodes.size());
-  slots.reserve(scene.nodes.size());
-  for (const SlotIndex slot : positions<SlotIndex>(scene.nodes.size())) {
-    const Vector p = scene.position(slot);
-    if (!(p.array() >= all_boxes.low.array()).all() || !(p.array() <= all_boxes.high.array()).all()) continue;
-    points.push_back(p);
-    slots.push_back(slot);
-    all_points.add(p);
-  }
+  const auto [points, slots, all_points] = nodes_inside(scene, all_boxes);
   counters.points_culled += scene.nodes.size() - points.size();
-  std::uint64_t culled = 0;
-  for (Bounds& b : boxes) {
-    if (points.empty() || !b.meets(all_points)) {
-      b = Bounds{};
-      ++culled;
-    }
-  }
+  std::atomic<std::uint64_t> culled{0};
+  parallel_for(boxes.size(), grain,
+               [&, &points = points, &all_points = all_points](std::size_t begin, std::size_t end) {
+                 std::uint64_t here = 0;
+                 for (std::size_t i = begin; i < end; ++i) {
+                   if (!points.empty() && boxes[i].meets(all_points)) continue;
+                   boxes[i] = Bounds{};
+                   ++here;
+                 }
+                 culled += here;
+               });
   counters.segments_culled += culled;
   if (points.empty()) {
     ++counters.searches_culled;
     return;
   }
   std::atomic<std::uint64_t> pairs{0};
-  const CandidateSink sink = [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
+  const CandidateSink sink = [&, &slots = slots](std::uint32_t box, std::span<const std::uint32_t> inside) {
     static thread_local std::vector<SlotIndex> local;
     local.clear();
     const auto& corners = s.nodes[box];
@@ -212,23 +333,29 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
                                   SweepCounters& counters, geometry::DecisionCounters& decisions) {
   double largest_half = 0;
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
-  // Each thread has its own tally: shared counters would cost more than the decisions.
-  tbb::enumerable_thread_specific<PairSweep> sweeps([&] { return PairSweep(scene, pair_allowed); });
-  for_each_candidate(
-      scene, search, [&](SegmentIndex s) { return scene.reach(s, largest_half); }, counters,
-      [&](SegmentIndex segment, std::span<const SlotIndex> slots) { sweeps.local().visit(segment, slots); });
+  NearestHits nearest(scene);
   std::vector<Hit> all, measured;
-  for (PairSweep& sweep : sweeps) {
-    sweep.finish();
-    all.insert(all.end(), sweep.hits().begin(), sweep.hits().end());
-    measured.insert(measured.end(), sweep.measured().begin(), sweep.measured().end());
-    using geometry::Stage;
-    for (const Stage stage : {Stage::filter, Stage::interval, Stage::exact, Stage::triangulated})
-      geometry::count(decisions, stage, sweep.decided_by(stage));
+  {
+    // Each thread has its own tally: shared counters would cost more than the decisions.
+    tbb::enumerable_thread_specific<PairSweep> sweeps([&] { return PairSweep(scene, pair_allowed, nearest); });
+    for_each_candidate(
+        scene, search, [&](SegmentIndex s) { return scene.reach(s, largest_half); }, counters,
+        [&](SegmentIndex segment, std::span<const SlotIndex> slots) { sweeps.local().visit(segment, slots); });
+    std::vector<PairSweep*> list;
+    for (PairSweep& sweep : sweeps) list.push_back(&sweep);
+    parallel_for(list.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) list[i]->finish();
+    });
+    for (PairSweep& sweep : sweeps) {
+      sweep.move_hits(all, measured);
+      using geometry::Stage;
+      for (const Stage stage : {Stage::filter, Stage::interval, Stage::exact, Stage::triangulated})
+        geometry::count(decisions, stage, sweep.decided_by(stage));
+    }
   }
   drop_outside(scene, search, all);
   add_nearer_segments(scene, pair_allowed, all, measured);
-  return chosen_hits(scene, all, std::move(measured));
+  return chosen_hits(scene, std::move(all), std::move(measured));
 }
 
 }  // namespace gapcheck::contact

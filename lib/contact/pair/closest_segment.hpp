@@ -15,11 +15,18 @@ struct SweepCounters {
   std::uint64_t crowded_nodes = 0, crowded_edges = 0;  ///< compared to the nearest segments or edges only
 };
 
-/// Whether a pair counts, given whether it penetrates. Called from any thread.
-using PairFilter = std::function<bool(SlotIndex, SegmentIndex, bool penetrates)>;
+/// Whether a pair counts, given whether it penetrates.
+struct PairFilter {
+  std::function<bool(SlotIndex, SegmentIndex, bool penetrates)> counts;  ///< called from any thread
+  bool tallies = false;  ///< it keeps a tally of the pairs that it is asked for, so it is asked for each of them once
+  [[nodiscard]] bool operator()(SlotIndex slot, SegmentIndex segment, bool penetrates) const {
+    return counts(slot, segment, penetrates);
+  }
+};
 
 /// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node (choose_hit),
-/// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or have an oriented segment.
+/// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or have an oriented segment; and, unless it
+/// tallies them, not for those that cannot be chosen whatever it says.
 [[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
                                                 const PairFilter& pair_allowed, SweepCounters& counters,
                                                 geometry::DecisionCounters& decisions);

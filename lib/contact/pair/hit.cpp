@@ -65,9 +65,9 @@ struct OrderedHit {
   Hit hit;
 };
 
-std::vector<OrderedHit> in_order(const PairScene& scene, const std::vector<Hit>& hits, bool penetrate) {
-  std::vector<OrderedHit> list;
-  list.reserve(hits.size());
+/// The hits of one slot in that order.
+void put_in_order(const PairScene& scene, std::span<const Hit> hits, bool penetrate, std::vector<OrderedHit>& list) {
+  list.clear();
   for (const Hit& hit : hits) {
     using Kind = OrderedHit::Kind;
     const bool always = (penetrate && std::signbit(hit.distance)) || scene.slides(hit.slot, hit.segment, hit.distance);
@@ -77,39 +77,56 @@ std::vector<OrderedHit> in_order(const PairScene& scene, const std::vector<Hit>&
     list.push_back({always ? Kind::kept : penetrate && hit.in_band ? Kind::in_band : Kind::outside, body, hit});
   }
   std::sort(list.begin(), list.end(), [](const OrderedHit& l, const OrderedHit& r) {
-    return std::tuple(l.hit.slot, l.kind, l.body, std::abs(l.hit.distance), l.hit.segment) <
-           std::tuple(r.hit.slot, r.kind, r.body, std::abs(r.hit.distance), r.hit.segment);
+    return std::tuple(l.kind, l.body, std::abs(l.hit.distance), l.hit.segment) <
+           std::tuple(r.kind, r.body, std::abs(r.hit.distance), r.hit.segment);
   });
-  return list;
+}
+
+/// Those of one slot that may count: of hits (`penetrate`), or of other pairs.
+void keep_nearest(std::span<const OrderedHit> list, bool penetrate, std::vector<Hit>& kept) {
+  using Kind = OrderedHit::Kind;
+  SegmentIndex least = none<SegmentIndex>;  // of the nearer ones of one kind and body
+  bool any_in_band = false;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto& [kind, body, hit] = list[i];
+    const bool nearest = i == 0 || list[i - 1].kind != kind || list[i - 1].body != body;
+    any_in_band = any_in_band || kind == Kind::in_band;
+    // Of equally near segments the first counts; hits outside the band count where none is in it.
+    const bool chosen_by_segment = penetrate && (kind == Kind::in_band || !any_in_band);
+    const bool of_body = nearest && body != no_position;
+    if (nearest || hit.segment < least) {
+      least = hit.segment;
+      if (kind == Kind::kept || chosen_by_segment || of_body) kept.push_back(hit);
+    } else if (kind == Kind::kept) {
+      kept.push_back(hit);
+    }
+  }
+}
+
+/// The same for the hits of all slots.
+std::vector<Hit> nearest_of(const PairScene& scene, const std::vector<Hit>& hits, bool penetrate) {
+  // Slot and position as one number sort fast.
+  std::vector<std::uint64_t> order(hits.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) order[i] = std::uint64_t{hits[i].slot.value} << 32 | i;
+  std::sort(order.begin(), order.end());
+  std::vector<Hit> kept, of_slot;
+  std::vector<OrderedHit> list;
+  for (std::size_t i = 0; i < order.size();) {
+    of_slot.clear();
+    const std::uint64_t slot = order[i] >> 32;
+    for (; i < order.size() && order[i] >> 32 == slot; ++i)
+      of_slot.push_back(hits[static_cast<std::uint32_t>(order[i])]);
+    put_in_order(scene, of_slot, penetrate, list);
+    keep_nearest(list, penetrate, kept);
+  }
+  return kept;
 }
 
 }  // namespace
 
 void drop_farther(const PairScene& scene, std::vector<Hit>& hits, std::vector<Hit>& measured) {
-  using Kind = OrderedHit::Kind;
-  const auto drop = [&](std::vector<Hit>& from, bool penetrate) {
-    const std::vector<OrderedHit> list = in_order(scene, from, penetrate);
-    from.clear();
-    SegmentIndex least = none<SegmentIndex>;  // of the nearer ones of one slot, kind and body
-    bool any_in_band = false;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto& [kind, body, hit] = list[i];
-      const bool new_slot = i == 0 || list[i - 1].hit.slot != hit.slot;
-      const bool nearest = new_slot || list[i - 1].kind != kind || list[i - 1].body != body;
-      any_in_band = (any_in_band && !new_slot) || kind == Kind::in_band;
-      // Of equally near segments the first counts; hits outside the band count where none is in it.
-      const bool chosen_by_segment = penetrate && (kind == Kind::in_band || !any_in_band);
-      const bool of_body = nearest && body != no_position;
-      if (nearest || hit.segment < least) {
-        least = hit.segment;
-        if (kind == Kind::kept || chosen_by_segment || of_body) from.push_back(hit);
-      } else if (kind == Kind::kept) {
-        from.push_back(hit);
-      }
-    }
-  };
-  drop(hits, true);
-  drop(measured, false);
+  hits = nearest_of(scene, hits, true);
+  measured = nearest_of(scene, measured, false);
 }
 
 }  // namespace gapcheck::contact

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/pieces.hpp"
 #include "base/radix_sort.hpp"
 #include "contact/search/float_box.hpp"
 #include "contact/search/search.hpp"
@@ -170,17 +171,25 @@ class Grid {
       std::vector<Item> spare(items.size());
       radix_sort(std::span(items), std::span(spare), 3 * bits_per_axis - lower_bits,
                  [](const Item& item) { return item.key >> lower_bits; });
-      for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
-        end = begin + 1;
-        while (end < items.size() && items[end].key >> lower_bits == items[begin].key >> lower_bits) ++end;
-        const auto run = std::span(items).subspan(begin, end - begin);
-        if (run.size() > many)
-          radix_sort(run, std::span(spare).subspan(begin, run.size()), lower_bits,
-                     [](const Item& item) { return item.key; });
-        else if (run.size() > 1)
-          std::sort(run.begin(), run.end(),
-                    [](const Item& a, const Item& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
-      }
+      const auto upper = [&](std::size_t i) { return items[i].key >> lower_bits; };
+      const auto sort_runs = [&](std::size_t first, std::size_t last) {
+        for (std::size_t begin = first, end = first; begin < last; begin = end) {
+          end = begin + 1;
+          while (end < last && upper(end) == upper(begin)) ++end;
+          const auto run = std::span(items).subspan(begin, end - begin);
+          if (run.size() > many)
+            radix_sort(run, std::span(spare).subspan(begin, run.size()), lower_bits,
+                       [](const Item& item) { return item.key; });
+          else if (run.size() > 1)
+            std::sort(run.begin(), run.end(),
+                      [](const Item& a, const Item& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+        }
+      };
+      const std::vector<std::size_t> pieces =
+          pieces_of_runs(items.size(), 16384, [&](std::size_t i) { return upper(i) == upper(i - 1); });
+      parallel_for(pieces.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) sort_runs(pieces[i], pieces[i + 1]);
+      });
     }
     keys_.resize(items.size());
     index_.resize(items.size());

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -71,18 +72,32 @@ NodeIndex TimestepEstimate::controlling(const Segments& s, TimestepLimit limit, 
   };
   double least = infinite;
   NodeIndex node = none<NodeIndex>;
-  const auto take = [&](NodeIndex n) {
-    if (node == none<NodeIndex> || model_.mesh.nodes.id[n.value] < model_.mesh.nodes.id[node.value]) node = n;
+  // The one with the lower id.
+  const auto lower = [&](NodeIndex a, NodeIndex b) {
+    if (a == none<NodeIndex> || b == none<NodeIndex>) return a == none<NodeIndex> ? b : a;
+    return model_.mesh.nodes.id[b.value] < model_.mesh.nodes.id[a.value] ? b : a;
   };
+  std::mutex mutex;
   if (most_of_the_mesh(s)) {
     squared_.resize(sums_.size());
     parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) squared_[n] = squared_at(static_cast<std::uint32_t>(n));
+      double least_here = infinite;
+      for (std::size_t n = begin; n < end; ++n) {
+        squared_[n] = squared_at(static_cast<std::uint32_t>(n));
+        least_here = std::min(least_here, squared_[n]);
+      }
+      const std::scoped_lock lock(mutex);
+      least = std::min(least, least_here);
     });
-    for (const double squared : squared_) least = std::min(least, squared);
     if (least == infinite) return node;
-    for (std::uint32_t n = 0; n < squared_.size(); ++n)
-      if (squared_[n] <= least * (1 + equal_squared_steps)) take(NodeIndex{n});
+    const double limit_of_equal = least * (1 + equal_squared_steps);
+    parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
+      NodeIndex here = none<NodeIndex>;
+      for (std::size_t n = begin; n < end; ++n)
+        if (squared_[n] <= limit_of_equal) here = lower(here, to_index<NodeIndex>(n));
+      const std::scoped_lock lock(mutex);
+      node = lower(node, here);
+    });
     return node;
   }
   for (const auto& nodes : s.nodes)
@@ -90,7 +105,7 @@ NodeIndex TimestepEstimate::controlling(const Segments& s, TimestepLimit limit, 
   if (least == infinite) return node;
   for (const auto& nodes : s.nodes)
     for (const NodeIndex n : nodes)
-      if (squared_at(n.value) <= least * (1 + equal_squared_steps)) take(n);
+      if (squared_at(n.value) <= least * (1 + equal_squared_steps)) node = lower(node, n);
   return node;
 }
 
@@ -129,15 +144,19 @@ SideTimestep TimestepEstimate::least(const Segments& s, TimestepLimit limit, con
   result.node = controlling(s, limit, squared_step);
   if (result.node == none<NodeIndex>) return result;
   const auto id_of = [&](PartIndex part) { return model_.part(part).id; };
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    if (!(corners_[i].weight > 0)) continue;
-    for (std::size_t c = 0; c < corners_with_spring(s.nodes[i], limit); ++c) {
-      if (s.nodes[i][c] != result.node) continue;
-      const PartIndex part = part_of(model_.mesh, s, i);
-      if (result.part == none<PartIndex> || (part != none<PartIndex> && id_of(part) < id_of(result.part)))
-        result.part = part;
+  std::mutex mutex;
+  parallel_for(s.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!(corners_[i].weight > 0)) continue;
+      for (std::size_t c = 0; c < corners_with_spring(s.nodes[i], limit); ++c) {
+        if (s.nodes[i][c] != result.node) continue;
+        const PartIndex part = part_of(model_.mesh, s, i);
+        const std::scoped_lock lock(mutex);
+        if (result.part == none<PartIndex> || (part != none<PartIndex> && id_of(part) < id_of(result.part)))
+          result.part = part;
+      }
     }
-  }
+  });
   result.mass = masses(limit)[result.node.value];
   result.stiffness = sums_[result.node.value].value();
   result.timestep = std::sqrt(squared_step(result.mass, result.stiffness));

@@ -15,9 +15,12 @@ class NodeThickness {
   /// The node takes part, with unknown thickness.
   void track(NodeIndex node) { entry_[slots_.slot(node)].tracked = true; }
   void offer(NodeIndex node, double half, ThicknessRule rule, PartIndex part) {
-    Entry& e = entry_[slots_.slot(node)];
-    if (e.given && half <= e.half) return;
-    e = {half, part, rule, e.tracked, true};
+    offer(entry_[slots_.slot(node)], half, rule, part);
+  }
+  void track_and_offer(NodeIndex node, double half, ThicknessRule rule, PartIndex part) {
+    Entry& entry = entry_[slots_.slot(node)];
+    entry.tracked = true;
+    offer(entry, half, rule, part);
   }
   [[nodiscard]] bool tracked(NodeIndex node) const {
     const std::uint32_t slot = slots_.slot(node);
@@ -28,6 +31,12 @@ class NodeThickness {
   /// `alone`: thickness of nodes to which no element gave one.
   [[nodiscard]] TrackedNodes collect(const Thickness& alone) const {
     TrackedNodes all;
+    const auto count = std::count_if(entry_.begin(), entry_.end(), [](const Entry& e) { return e.tracked; });
+    const auto room = static_cast<std::size_t>(count);
+    all.node.reserve(room);
+    all.half.reserve(room);
+    all.rule.reserve(room);
+    all.part.reserve(room);
     for (std::uint32_t n = 0; n < entry_.size(); ++n) {
       const Entry& e = entry_[n];
       if (!e.tracked) continue;
@@ -47,6 +56,10 @@ class NodeThickness {
     bool tracked = false;
     bool given = false;  // an element has offered its thickness
   };
+  static void offer(Entry& e, double half, ThicknessRule rule, PartIndex part) {
+    if (!e.given || half > e.half) e = {half, part, rule, e.tracked, true};
+  }
+
   NodeSlots slots_;
   std::vector<Entry> entry_;
 };
@@ -176,10 +189,7 @@ TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model
   }
   for (std::size_t i = 0; i < s.size(); ++i) {
     const PartIndex part = part_of(model.mesh, s, i);
-    for (const NodeIndex n : s.nodes[i]) {
-      nodes.track(n);
-      nodes.offer(n, s.half[i], s.rule[i], part);
-    }
+    for (const NodeIndex n : s.nodes[i]) nodes.track_and_offer(n, s.half[i], s.rule[i], part);
   }
   const Segments& cut = selection.cut;
   for (std::size_t i = 0; i < cut.size(); ++i)

@@ -24,7 +24,7 @@ Totals totals_by_severity(const Report& report, bool with_known) {
         break;
     }
   };
-  for (const Penetration& record : report.penetrations) add(rule_of(report, record).severity);
+  for (const Penetration& record : report.penetrations) add(severity_of(report, record));
   for (const TieFailure& failure : report.tie_failures) add(rule_of(report, failure).severity);
   for (const Finding& finding : report.findings) add(finding.severity);
   for (const ContactSummary& contact : report.contacts) sum.warnings += unlisted_penetrations(contact);

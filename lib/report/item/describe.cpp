@@ -34,9 +34,15 @@ RuleIdentity rule_of(const Report& report, PenetrationKind kind) { return with_s
 
 RuleIdentity rule_of(const Report& report, const Penetration& record) {
   RuleIdentity rule = rule_of(report, record.kind);
-  // A log may not say how deep a node is.
-  if (record.depth > 0 && within_rounding(record)) rule.severity = Severity::note;
+  rule.severity = severity_of(report, record);
   return rule;
+}
+
+Severity severity_of(const Report& report, const Penetration& record) {
+  // A log may not say how deep a node is.
+  if (record.depth > 0 && within_rounding(record)) return Severity::note;
+  const RuleIdentity& rule = rule_of(record.kind);
+  return report.severities.empty() ? rule.severity : with_severity(report, rule).severity;
 }
 
 std::string_view name(Severity severity) {

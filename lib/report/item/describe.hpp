@@ -15,6 +15,8 @@ namespace gapcheck::report {
 [[nodiscard]] RuleIdentity rule_of(const Report& report, PenetrationKind kind);
 /// The same for this record: a note if its depth is within rounding.
 [[nodiscard]] RuleIdentity rule_of(const Report& report, const Penetration& record);
+/// Its severity alone.
+[[nodiscard]] Severity severity_of(const Report& report, const Penetration& record);
 /// The rule with the severity that the report gives it.
 [[nodiscard]] RuleIdentity with_severity(const Report& report, RuleIdentity rule);
 

@@ -28,7 +28,15 @@ class Groups {
   }
 
   void add(const Penetration& record) {
-    FindingGroup& group = group_of(rule_of(report_, record), record.contact, 0, record.part, record.element_part, -1);
+    // Neighbours in the list mostly belong to the same group.
+    const bool same = last_record_ != nullptr && last_record_->kind == record.kind &&
+                      last_record_->contact == record.contact && last_record_->part == record.part &&
+                      last_record_->element_part == record.element_part &&
+                      last_of_record_->severity == severity_of(report_, record);
+    last_record_ = &record;
+    if (!same)
+      last_of_record_ = &group_of(rule_of(report_, record), record.contact, 0, record.part, record.element_part, -1);
+    FindingGroup& group = *last_of_record_;
     ++group.things;
     if (group.deepest == nullptr || record.depth > group.deepest->depth) group.deepest = &record;
   }
@@ -96,6 +104,8 @@ class Groups {
   std::unordered_set<const Finding*> counted_;
   std::unordered_map<std::int64_t, std::uint32_t> position_;  // of a contact's id; the first of equal ones
   std::map<GroupKey, FindingGroup> groups_;
+  const Penetration* last_record_ = nullptr;
+  FindingGroup* last_of_record_ = nullptr;  // its group
   std::unordered_map<const Finding*, FindingGroup*> of_finding_;
   std::unordered_map<const Finding*, std::uint64_t> following_;
 };
