@@ -2,20 +2,22 @@
 from .contacts import VARIANTS, contact
 from .mesh import Mesh, even, fields, history, part, segment_set, start
 from .problem import Problem, Value
-from .rods import LENGTH, SIDE, SPEED
+from .rods import LENGTH, SIDE, SPEED, duration
 
 THICKNESS = 0.1
 WALL, SPRINGS = "wall", "wall, springs"
 
 
-def stop(variant):
-    """The cards of what stops the rod at x = 0."""
+def stop(level, variant):
+    """The cards of what stops the rod at x = 0. RWKSF: as stiff beside the bricks on each mesh."""
+    factor = 40.0 * 2 ** (4 / 3 * (level - 3)) if variant == SPRINGS else None
     if variant in VARIANTS:
         return ("*SECTION_SHELL\n" + fields(2, 2) + fields(THICKNESS) + "*MAT_RIGID\n" + fields(2, 1.0, 1000.0, 0.3)
-                + fields(1.0, 7, 7) + "\n" + part(2, 2, 2, "plate") + contact(variant, kinds=(0, 3), scale=4.0, soft_scale=0.4))
+                + fields(1.0, 7, 7) + "\n" + part(2, 2, 2, "plate") + contact(variant, kinds=(0, 3), scale=4.0, soft_scale=0.4,
+                                                                                   depth=LENGTH / (20 * 2 ** level) / 10))
     # RWPNAL < 0: springs stop all nodes. OFFSET, BIRTH and DEATH are blank; RWKSF is the stiffness beside RWPNAL.
     return (("*CONTROL_CONTACT\n" + fields(None, -1.0) if variant == SPRINGS else "")
-            + "*RIGIDWALL_PLANAR\n" + fields(0, 0, 0, 0.0, 0.0, None, 40.0 if variant == SPRINGS else None)
+            + "*RIGIDWALL_PLANAR\n" + fields(0, 0, 0, 0.0, 0.0, None, factor)
             + fields(0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0))
 
 
@@ -29,7 +31,7 @@ def wall_deck(level, variant):
     return (start("rod on a rigid wall", "E = density = 1, length 10", end, 0.02, 0.6)
             + f"*DATABASE_RWFORC\n{0.02:10g}\n" + history(rod[0][0]) + part(1, 1, 1, "rod")
             + "*SECTION_SOLID\n" + fields(1, 1) + "*MAT_ELASTIC\n" + fields(1, 1.0, 1.0, 0.0)
-            + "*INITIAL_VELOCITY_GENERATION\n" + fields(1, 2, 0.0, SPEED) + "\n" + stop(variant)
+            + "*INITIAL_VELOCITY_GENERATION\n" + fields(1, 2, 0.0, SPEED) + "\n" + stop(level, variant)
             + segment_set(1, [[row[-1] for row in layer] for layer in rod]) + mesh.text() + "*END\n")
 
 
@@ -37,12 +39,11 @@ def wall_values(run, level, variant):
     force = run.rwforc(1) if variant not in VARIANTS else [(t, abs(f[0])) for t, f in run.rcforc(1, "A")]
     expected = (1 + SPEED / 4) * SPEED * SIDE ** 2
     middle = [f for t, f in force if 0.5 * LENGTH < t < 1.5 * LENGTH]
-    inside = [t for t, f in force if f > expected / 2]
     # Speeds of the nodes along, those at the ends with half of a brick's mass.
     last = [rows[-1][3] for _, rows in sorted(run.nodes.items())]
     speed = (sum(last) - (last[0] + last[-1]) / 2) / (len(last) - 1)
     return [Value("rebound", -speed, SPEED), Value("force", sum(middle) / len(middle), expected),
-            Value("time of contact", max(inside) - min(inside), (1 - SPEED / 4) * 2 * LENGTH)]
+            Value("time of contact", duration(force), (1 - SPEED / 4) * 2 * LENGTH)]
 
 
 WALL_ROD = Problem(
