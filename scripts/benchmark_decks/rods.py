@@ -49,9 +49,12 @@ RODS = Problem(
 A rod (length L = 10, section A = 0.25, E = ρ = 1, ν = 0, so c = 1) hits its equal at rest, end to end, with v = 0.01. In one
 dimension (Saint-Venant; Johnson, Contact Mechanics, 1985, section 11.1) the force ρ c v A / 2 acts for 2 L / c; then the first rod
 rests and the second one moves on with v. Strains v / 2 c are not infinitely small: with the stress E ln λ of the solver the balance of
-momentum of the shock makes force and wave speed 1 + v / 8 c times as large, to the first order. The force is the mean from L / 2 c to 3 L / 2 c, the time of contact that of more than half
-of it, the exit velocity the impulse over the mass. The meshes have 20, 40 and 80 bricks along. SFSA = SFSB = 4, SOFSCL = 0.1.
-""", rods_deck, rods_values, VARIANTS, cause="""\
-The contact spring lets the rods come nearer, so the force begins late and ends late: both by about the time in which a wave
-passes a brick, so of order 1. The bulk viscosity smears the fronts over a few bricks.
+momentum of the shock makes force and wave speed 1 + v / 8 c times as large, to the first order. The force is the mean from L / 2 c to
+3 L / 2 c; the time of contact ends when there is no force any more; the exit velocity is the impulse over the mass. The meshes have 20, 40, 80 and 160
+bricks along. The contact is that of the segments of both ends. SFSA = SFSB = 4, SOFSCL = 0.4; mortar: PENMAX a tenth of a brick.
+""", rods_deck, rods_values, VARIANTS, levels=(0, 1, 2, 3), cause="""\
+Both fronts that come back from the free ends unload the contact, so its force is zero when half of each has arrived, at 2 L / c
+however much they are smeared; but half of the force is left when only a quarter has, which is too early by an amount of order 1/2. What the fronts
+bring later is lost, a part of the exit velocity: order 1/2 (see the [rod on a wall](wall_rod.md)). The contact springs need time to
+unload, so contact lasts too long by about the time in which a wave passes a brick: order 1.
 """)
