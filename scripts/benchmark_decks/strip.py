@@ -65,7 +65,7 @@ def strip_deck(level, variant):
             + "*BOUNDARY_PRESCRIBED_MOTION_SET\n" + fields(1, 1, 2, 1) + motion(1)
             + "*LOAD_NODE_SET\n" + fields(2, 3, 2)
             + curve(2, [(0.0, push), (0.5 * STAGE, push), (0.6 * STAGE, 0.0), (100 * STAGE, 0.0)])
-            + "*DAMPING_GLOBAL\n" + fields(0, 0.02) + contact(soft, scale=20.0 if soft == "mortar" else 1.0, soft_scale=0.1) + mesh.text() + "*END\n")
+            + "*DAMPING_GLOBAL\n" + fields(0, 0.02) + contact(soft, scale=20.0 if soft == "mortar" else 1.0, soft_scale=1.0) + mesh.text() + "*END\n")
 
 
 def strip_values(run, level, variant):
@@ -106,7 +106,7 @@ The line begins with P = 4 P_E; at 16 P_E it buckles itself. `check_benchmark_re
 differences. The shortenings are those of P = {POINT} P_E and of l = 0.35 L, P = {LINE:.3f} P_E. A small force on the middle, which
 vanishes while the strip is still moving, says to which side it buckles. The table has P / P_E by bndout, the force on the plate over P_E by rcforc,
 and L − 2 l with l = Σ F x / Σ F of ncforc. Shells of ELFORM 2 where nothing else is said; the meshes have 10, 20 and 40 along half of
-the strip. SFSA = SFSB = 1 (mortar: 20), SOFSCL = 0.1.
+the strip. SFSA = SFSB = 1 (mortar: 20), SOFSCL = 1.
 """, strip_deck, strip_values, VARIANTS + ("SOFT 1, ELFORM 16",), cause="""\
 Straight shells are too stiff in bending between their nodes, with order 2, and so is the polygon of nodes that touches the plate. On the coarse
 meshes one node carries all of the force at the end of the line, so its length is a whole number of edges. With mortar contact the force acts on both
