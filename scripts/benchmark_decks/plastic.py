@@ -34,7 +34,7 @@ def points_over_thickness():
 
 def beam_deck(level, variant):
     """Half of the span; the roller in the middle moves down."""
-    along = graded(5.0 / 2 ** level, 10.0, SPAN / 2, 1.3)
+    along = graded(5.0 / 2 ** level, 10.0, SPAN / 2, 1.3 ** (1 / 2 ** level))
     mesh = Mesh()
     beam = mesh.sheet(1, along, [0.0, WIDTH], lambda x, y: (x, y, 0.0),
                       lambda i, j: "x" if i == 0 else "z" if i == len(along) - 1 else "",
