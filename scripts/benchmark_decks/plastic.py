@@ -102,5 +102,5 @@ middle, where the hinge forms, and grow behind. SFSA = SFSB = 1 (SOFT 2 and mort
 """, beam_deck, beam_values, ("SOFT 0", "SOFT 1", "SOFT 2", "mortar"), cause="""\
 The hinge forms at the points of the shell nearest the middle, so the collapse load is too high by the share of the half span that they
 are away from it: of order 1. The partly plastic load is too high for the same reason. A roller that follows the beam without rests
-excites vibrations of 5 to 10 % of the load, which the damping and the rests take away.
+excites vibrations of 5 to 15 % of the load; damping and rests take them away.
 """)
