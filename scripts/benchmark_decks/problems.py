@@ -8,8 +8,9 @@ from .punch import PUNCH
 from .ring import RING
 from .rods import RODS
 from .sliding import STICK_SLIP, WEDGE
+from .strip import STRIP
 from .taylor import TAYLOR
 from .tube import TUBE
 from .walls import WALL_ROD
 
-PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, RING, WEDGE, STICK_SLIP, IRONING, RODS, WALL_ROD, BALL_IMPACT, BEAM, TAYLOR, TUBE]
+PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, RING, STRIP, WEDGE, STICK_SLIP, IRONING, RODS, WALL_ROD, BALL_IMPACT, BEAM, TAYLOR, TUBE]

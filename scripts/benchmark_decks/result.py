@@ -76,6 +76,15 @@ class Result:
         rows = re.findall(rf"^ +(\S+) +{wall} +(\S+) +\S+ +\S+ +\S+$", self.read("rwforc"), re.MULTILINE)
         return [(float(t), float(force)) for t, force in rows]
 
+    def bndout(self, nodes, axis):
+        """[(time, force along the axis)], the sum over the nodes, of loads and prescribed motions."""
+        sums = {}
+        for block in self.read("bndout").split("o u t p u t   t=")[1:]:  # one for each kind
+            forces = re.findall(rf"^ *nd# *(\d+) .*\b{axis}force= *(\S+)", block, re.MULTILINE)
+            time = float(block.split()[0])
+            sums[time] = sums.get(time, 0.0) + sum(float(f) for n, f in forces if int(n) in nodes)
+        return list(sums.items())
+
     def node_forces(self, state=-1):
         """Of the last state of ncforc, of all contacts."""
         blocks = self.read("ncforc").split("\n forces (t=")[1:]
