@@ -109,7 +109,9 @@ std::vector<ShellForces> run_batch(const ShellProperties& properties, std::vecto
       expected += dt / 2 *
                   ((before.force[k] + now.force[k]).dot(quads[i].corners.v[k]) +
                    (before.moment[k] + now.moment[k]).dot(quads[i].corners.w[k]));
-    if (now.good) EXPECT_EQ(exchanged, expected);
+    if (now.good) {
+      EXPECT_EQ(exchanged, expected);
+    }
   }
   return forces;
 }
