@@ -201,7 +201,11 @@ void write(const Report& report, const ExportOptions& options, const report::Nod
   const auto write = [&failures](const std::string& path, const auto& text) {
     if (!path.empty()) failures.add(write_file(path, text()));
   };
-  write(options.key, [&] { return report::keyword_beams(report, position); });
+  if (!options.key.empty()) {
+    Output output(options.key);
+    report::keyword_beams(report, position, [&output](std::string_view piece) { return output.write(piece); });
+    failures.add(output.close());
+  }
   write(options.ani, [&] { return report::animator_session(report, false); });
   write(options.a4sel, [&] { return report::animator_session(report, true); });
   write(options.medina, [&] { return report::medina_protocol(report, position, options.medina_node); });

@@ -7,16 +7,20 @@
 #include "base/result.hpp"
 #include "base/vector.hpp"
 #include "records/report.hpp"
+#include "report/write/writers.hpp"
 
 namespace gapcheck::report {
 
-/// Coordinates of a node for records without their own (tie failures, MPP lines). May be empty: none are known.
+/// Coordinates of a node for records without their own (tie failures, MPP lines). May be empty: none are known. Several
+/// threads may call it.
 using NodePosition = std::function<std::optional<Vector>(std::int64_t node)>;
 
 /// Keyword file with one beam per penetration: first node where the tracked node is, second one on the contact surface,
 /// so its length is the penetration. One *PART per interface and warning type, with a descriptive title, and one set of
 /// the tracked nodes themselves, which only the model defines. New ids start above every id of the report; with more
 /// than 8 digits the file is in long format. Records that cannot be drawn are in the sets, with a comment.
+/// Passed on in pieces of about a megabyte.
+void keyword_beams(const Report& report, const NodePosition& position, const Sink& sink);
 [[nodiscard]] std::string keyword_beams(const Report& report, const NodePosition& position);
 
 /// Keyword file with one *SET_NODE_LIST_TITLE and one *SET_SEGMENT_TITLE per rule and contact, if its findings name

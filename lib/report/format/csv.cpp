@@ -25,7 +25,8 @@ class Line {
     // Spreadsheets calculate what begins so.
     if (!text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos)
       text.insert(text.begin(), '\'');
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return out_.append(std::string_view(text));
+    const auto special = [](char c) { return c == ',' || c == '"' || c == '\r' || c == '\n'; };
+    if (std::none_of(text.begin(), text.end(), special)) return out_.append(std::string_view(text));
     out_.push_back('"');
     for (const char c : text) {
       if (c == '"') out_.push_back('"');
@@ -36,12 +37,12 @@ class Line {
   /// Empty for 0: not known.
   void id(std::int64_t value) {
     comma();
-    if (value != 0) fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
+    if (value != 0) append_number(value, out_);
   }
   /// Empty unless `known` and finite.
   void number(double value, bool known) {
     comma();
-    if (known && std::isfinite(value)) fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
+    if (known && std::isfinite(value)) append_number(value, out_);
   }
   void end() { out_.append(std::string_view("\r\n")); }
 
@@ -72,31 +73,27 @@ void append_names(const Columns& columns, Stream& stream) {
   stream.text("\r\n");
 }
 
-void append_lines(const Report& report, const Columns& columns, Stream& stream) {
-  for_each_item(report, [&](const Item& item) {
-    Line line(stream.buffer);
-    line.text(item.id);
-    line.text(item.rule);
-    line.text(name(item.severity));
-    for (const std::int64_t id : {item.contact, item.node, item.part, item.element, item.element_part}) line.id(id);
-    const bool depth = item.penetration >= 0, distance = item.contact_distance >= 0;
-    line.number(item.penetration, depth);
-    line.number(item.contact_distance - item.penetration, depth && distance);
-    line.number(item.contact_distance, distance);
-    for (int axis = 0; axis < 3; ++axis)
-      line.number(item.position ? (*item.position)[axis] : 0, item.position.has_value());
-    line.text(item.outcome);
-    line.id(static_cast<std::int64_t>(item.count));
-    line.text(harmless_path(item.file));
-    line.id(item.line);
-    line.text(fmt::format(FMT_COMPILE("{:016x}"), item.fingerprint));
-    line.text(item.message);
-    if (columns.baseline) line.text(item.state ? name(*item.state) : "");
-    if (columns.deck) line.text(harmless_path(report.input));
-    line.end();
-    stream.pause();
-    return stream.open();
-  });
+void append_item(const Report& report, const Item& item, const Columns& columns, Buffer& out) {
+  Line line(out);
+  line.text(item.id);
+  line.text(item.rule);
+  line.text(name(item.severity));
+  for (const std::int64_t id : {item.contact, item.node, item.part, item.element, item.element_part}) line.id(id);
+  const bool depth = item.penetration >= 0, distance = item.contact_distance >= 0;
+  line.number(item.penetration, depth);
+  line.number(item.contact_distance - item.penetration, depth && distance);
+  line.number(item.contact_distance, distance);
+  for (int axis = 0; axis < 3; ++axis)
+    line.number(item.position ? (*item.position)[axis] : 0, item.position.has_value());
+  line.text(item.outcome);
+  line.id(static_cast<std::int64_t>(item.count));
+  line.text(harmless_path(item.file));
+  line.id(item.line);
+  line.text(fmt::format(FMT_COMPILE("{:016x}"), item.fingerprint));
+  line.text(item.message);
+  if (columns.baseline) line.text(item.state ? name(*item.state) : "");
+  if (columns.deck) line.text(harmless_path(report.input));
+  line.end();
 }
 
 }  // namespace
@@ -107,7 +104,10 @@ void csv(const Reports& reports, const Sink& sink) {
   const Columns columns{baseline, reports.several()};
   Stream stream(sink);
   append_names(columns, stream);
-  for (const Report& report : reports.all) append_lines(report, columns, stream);
+  for (const Report& report : reports.all) {
+    const Items items(report);
+    stream.entries(items.size(), [&](std::size_t i, Buffer& out) { append_item(report, items[i], columns, out); });
+  }
   stream.flush();
 }
 

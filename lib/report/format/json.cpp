@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,13 @@ namespace gapcheck::report {
 
 std::string json_string(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void append_json_string(std::string_view text, Buffer& out) {
+  // Most strings are plain ASCII.
+  const auto escaped = [](char c) { return c < ' ' || c == '"' || c == '\\' || static_cast<unsigned char>(c) >= 0x7f; };
+  if (std::any_of(text.begin(), text.end(), escaped)) return out.append(json_string(text));
+  append_quoted(text, out);
 }
 
 namespace {
@@ -213,24 +221,18 @@ std::vector<std::string> quoted_files(const Report& report) {
 }
 
 void append_findings(const Report& report, const std::vector<std::string>& files, Stream& stream) {
-  bool first = true;
-  std::size_t number = 0;
-  for (const Penetration& record : report.penetrations) {
-    if (!stream.open()) return;
-    stream.separator(std::exchange(first, false));
-    append_penetration(report, record, files, state_of(report, number++), stream.buffer);
-  }
-  for (const TieFailure& failure : report.tie_failures) {
-    if (!stream.open()) return;
-    stream.separator(std::exchange(first, false));
-    append_tie_failure(report, failure, files, state_of(report, number++), stream.buffer);
-  }
+  const std::size_t nodes = report.penetrations.size(), ties = report.tie_failures.size();
+  stream.lines(nodes, true, [&](std::size_t i, Buffer& out) {
+    append_penetration(report, report.penetrations[i], files, state_of(report, i), out);
+  });
+  stream.lines(ties, nodes == 0, [&](std::size_t i, Buffer& out) {
+    append_tie_failure(report, report.tie_failures[i], files, state_of(report, nodes + i), out);
+  });
   const Causes causes(report);
-  for (const Finding& finding : report.findings) {
-    if (!stream.open()) return;
-    stream.separator(std::exchange(first, false));
-    append_finding(finding, causes.of(finding), state_of(report, number++), stream.buffer);
-  }
+  stream.lines(report.findings.size(), nodes + ties == 0, [&](std::size_t i, Buffer& out) {
+    const Finding& finding = report.findings[i];
+    append_finding(finding, causes.of(finding), state_of(report, nodes + ties + i), out);
+  });
 }
 
 /// The finding with this number, counted over the three lists.

@@ -1,3 +1,4 @@
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -46,8 +47,7 @@ void append_place(std::string_view file, std::uint32_t line, Members& location) 
 }
 
 void append_fingerprint(std::uint64_t value, Members& result) {
-  result.object("partialFingerprints",
-                [&](Members& prints) { prints.plain("gapcheck/v1", fmt::format("{:016x}", value)); });
+  result.object("partialFingerprints", [&](Members& prints) { prints.fingerprint(value, "gapcheck/v1"); });
 }
 
 void append_rule(const RuleText& rule, Buffer& out) {
@@ -78,7 +78,7 @@ void append_entities(const Item& item, Members& location, Buffer& out) {
     } else {
       out.push_back(',');
     }
-    fmt::format_to(fmt::appender(out), "{{\"name\":\"{0} {1}\",\"kind\":\"{0}\"}}", kind, id);
+    fmt::format_to(fmt::appender(out), FMT_COMPILE("{{\"name\":\"{0} {1}\",\"kind\":\"{0}\"}}"), kind, id);
   }
   if (!first) out.push_back(']');
 }
@@ -167,15 +167,14 @@ void append_sarif_run(const Report& report, std::string_view version, std::span<
   stream.text("]}},\"columnKind\":\"utf16CodeUnits\",\"automationDetails\":{\"id\":");
   stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
   stream.text("},\n\"results\":[");
-  bool first = true;
-  const auto append = [&](const Item& item) {
-    stream.separator(std::exchange(first, false));
+  const Items items(report), ignored = Items::ignored(report);
+  const auto append = [&](const Item& item, Buffer& out) {
     const auto rule = index.find(item.id);
-    append_result(item, rule == index.end() ? std::string_view::npos : rule->second, report.input, stream.buffer);
-    return stream.open();
+    append_result(item, rule == index.end() ? std::string_view::npos : rule->second, report.input, out);
   };
-  for_each_item(report, append);
-  for_each_ignored(report, append);
+  stream.lines(items.size(), true, [&](std::size_t i, Buffer& out) { append(items[i], out); });
+  stream.lines(ignored.size(), items.size() == 0, [&](std::size_t i, Buffer& out) { append(ignored[i], out); });
+  bool first = items.size() + ignored.size() == 0;
   if (report.baseline) {
     for (const KnownFinding& finding : report.baseline->gone) {
       stream.separator(std::exchange(first, false));

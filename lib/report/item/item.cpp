@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 #include "report/item/describe.hpp"
@@ -28,23 +27,6 @@ void set_place(const Report& report, std::uint32_t file, std::uint32_t line, Ite
   if (line == 0 || file >= report.files.size()) return;
   item.file = report.files[file];
   item.line = line;
-}
-
-/// Visits the entries of the three lists until `visit` returns false.
-template <class Lists, class Visit>
-void hand_over(const Report& report, const Lists& lists, const Visit& visit) {
-  for (const Penetration& record : lists.penetrations)
-    if (!visit(item_of(report, record))) return;
-  for (const TieFailure& failure : lists.tie_failures)
-    if (!visit(item_of(report, failure))) return;
-  std::unordered_map<std::int64_t, std::uint32_t> position;  // of a contact's id; the first of equal ones
-  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) position.emplace(report.contacts[i].id, i);
-  for (const Finding& finding : lists.findings) {
-    Item item = item_of(finding);
-    if (const auto found = position.find(finding.contact); finding.contact != 0 && found != position.end())
-      item.contact_position = found->second;
-    if (!visit(std::move(item))) return;
-  }
 }
 
 }  // namespace
@@ -113,24 +95,59 @@ std::optional<BaselineState> state_of(const Report& report, std::size_t number) 
   return report.baseline->states[number];
 }
 
+template <class Lists>
+Items::Items(const Report& report, const Lists& lists, const Ignored* ignored)
+    : report_(&report),
+      penetrations_(lists.penetrations),
+      tie_failures_(lists.tie_failures),
+      findings_(lists.findings),
+      ignored_(ignored) {
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) position_.emplace(report.contacts[i].id, i);
+}
+
+Items::Items(const Report& report) : Items(report, report, nullptr) {}
+
+Items Items::ignored(const Report& report) { return Items(report, report.ignored, &report.ignored); }
+
+Item Items::entry(std::size_t i) const {
+  if (i < penetrations_.size()) return item_of(*report_, penetrations_[i]);
+  i -= penetrations_.size();
+  if (i < tie_failures_.size()) return item_of(*report_, tie_failures_[i]);
+  const Finding& finding = findings_[i - tie_failures_.size()];
+  Item item = item_of(finding);
+  if (const auto found = position_.find(finding.contact); finding.contact != 0 && found != position_.end())
+    item.contact_position = found->second;
+  return item;
+}
+
+Item Items::operator[](std::size_t i) const {
+  Item item = entry(i);
+  if (ignored_ == nullptr) {
+    item.state = state_of(*report_, i);
+    item.number = i + 1;
+    return item;
+  }
+  if (report_->baseline && i < report_->baseline->ignored_states.size())
+    item.state = report_->baseline->ignored_states[i];
+  item.ignored = &ignored_->sources[ignored_->source[i]];
+  return item;
+}
+
+namespace {
+
+void visit_all(const Items& items, const std::function<bool(const Item&)>& visit) {
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!visit(items[i])) return;
+}
+
+}  // namespace
+
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit) {
-  std::size_t number = 0;
-  hand_over(report, report, [&](Item item) {
-    item.state = state_of(report, number);
-    item.number = ++number;
-    return visit(item);
-  });
+  visit_all(Items(report), visit);
 }
 
 void for_each_ignored(const Report& report, const std::function<bool(const Item&)>& visit) {
-  const Ignored& ignored = report.ignored;
-  std::size_t number = 0;
-  hand_over(report, ignored, [&](Item item) {
-    if (report.baseline && number < report.baseline->ignored_states.size())
-      item.state = report.baseline->ignored_states[number];
-    item.ignored = &ignored.sources[ignored.source[number++]];
-    return visit(item);
-  });
+  visit_all(Items::ignored(report), visit);
 }
 
 std::string link_to(const Report& report, std::size_t number) {

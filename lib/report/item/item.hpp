@@ -2,8 +2,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/ids.hpp"
@@ -44,8 +46,31 @@ struct Item {
 /// For the finding with this number, in the order of for_each_item(); none without a baseline.
 [[nodiscard]] std::optional<BaselineState> state_of(const Report& report, std::size_t number);
 
-/// Visits every finding: penetrations, ties, then the others, each in the report's order. Stops when `visit` returns
-/// false.
+/// The findings of a report by number: penetrations, ties, then the others, each in the report's order. Refers to the
+/// report; several threads may ask for items.
+class Items {
+ public:
+  explicit Items(const Report& report);
+  /// Those that were left out on purpose; Item::ignored says by what, Item::number is 0.
+  [[nodiscard]] static Items ignored(const Report& report);
+  [[nodiscard]] std::size_t size() const { return penetrations_.size() + tie_failures_.size() + findings_.size(); }
+  /// `i` < size().
+  [[nodiscard]] Item operator[](std::size_t i) const;
+
+ private:
+  template <class Lists>
+  Items(const Report& report, const Lists& lists, const Ignored* ignored);
+  [[nodiscard]] Item entry(std::size_t i) const;
+
+  const Report* report_;
+  std::span<const Penetration> penetrations_;
+  std::span<const TieFailure> tie_failures_;
+  std::span<const Finding> findings_;
+  const Ignored* ignored_;                                    ///< nullptr: the findings that count
+  std::unordered_map<std::int64_t, std::uint32_t> position_;  ///< of a contact's id; the first of equal ones
+};
+
+/// Visits every finding in the order of Items. Stops when `visit` returns false.
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit);
 
 /// The same for the findings that were left out on purpose; Item::ignored says by what.

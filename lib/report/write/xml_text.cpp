@@ -63,6 +63,9 @@ std::string xml_attribute(std::string_view text) {
   return out;
 }
 
-std::string plain_text(std::string_view text) { return converted(text, false); }
+std::string plain_text(std::string_view text) {
+  const auto plain = [](char c) { return c >= ' ' && c < '\x7f'; };
+  return std::all_of(text.begin(), text.end(), plain) ? std::string(text) : converted(text, false);
+}
 
 }  // namespace gapcheck::report
