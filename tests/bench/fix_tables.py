@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Rewrites the marked tables of docs/fix.md: fix_tables.py GAPCHECK [DECKS]
+"""Rewrites the marked tables of docs/fix.md: fix_tables.py GAPCHECK [DECKS] [--small]
 
 GAPCHECK is the program, DECKS a folder with decks by others; without it their table stays. Every corrected deck is
 audited again before its row is written.
 """
 
+import argparse
 import json
 import pathlib
 import shutil
@@ -85,13 +86,13 @@ def table(rows):
     return "\n".join([head, *rows])
 
 
-def scenes(gapcheck):
+def scenes(gapcheck, small):
     """The decks of data/fix: what is left, and why."""
     rows = ["| scene | nodes before | after | crossings before / after | largest move | mean | left, because |",
             "|---|---:|---:|---:|---:|---:|---|"]
     with tempfile.TemporaryDirectory() as folder:
-        decks = list((ROOT / "data" / "fix").glob("*.k"))
-        for name, make in make_fix_scenes.LARGE.items():
+        decks = sorted((ROOT / "data" / "fix").glob("*.k"))[:3 if small else None]
+        for name, make in ({} if small else make_fix_scenes.LARGE).items():
             decks.append(pathlib.Path(folder) / f"{name}.k")
             decks[-1].write_text(make().text())
         results = [(deck, deck.read_text().splitlines()[2], *corrected(gapcheck, deck))
@@ -171,15 +172,15 @@ def sheets(path, shells):
     return 2 * (near * near + far * far)
 
 
-def speed(gapcheck):
+def speed(gapcheck, small):
     rows = ["| shells | nodes before | after | time | memory | time per node |", "|---:|---:|---:|---:|---:|---:|"]
     with tempfile.TemporaryDirectory() as folder:
         deck = pathlib.Path(folder) / "sheets.k"
-        for shells in (100_000, 300_000, 1_000_000):
+        for shells in (10_000,) if small else (100_000, 300_000, 1_000_000):
             shells = sheets(deck, shells)
             before = found(gapcheck, deck)
             fixed = pathlib.Path(folder) / "fixed"
-            seconds, _, memory = page.measure([gapcheck, "fix", str(deck), "-o", str(fixed), "--quiet"], 3)
+            seconds, _, memory = page.measure([gapcheck, "fix", str(deck), "-o", str(fixed), "--quiet"], 1 if small else 3)
             after = found(gapcheck, fixed / deck.name)
             rows.append(f"| {shells:,} | {before:,} | {after} | {seconds:.1f} s | {memory:.0f} MB | "
                         f"{1e6 * seconds / before:.0f} µs |")
@@ -187,23 +188,26 @@ def speed(gapcheck):
 
 
 def main():
-    if len(sys.argv) not in (2, 3):
-        raise SystemExit(__doc__)
-    gapcheck = str(pathlib.Path(sys.argv[1]).resolve())
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("gapcheck", type=lambda path: str(pathlib.Path(path).resolve()))
+    parser.add_argument("decks", type=pathlib.Path, nargs="?")
+    parser.add_argument("--small", action="store_true", help="a few small decks, to test this script")
+    arguments = parser.parse_args()
+    gapcheck, small = arguments.gapcheck, arguments.small
     text = PAGE.read_text()
     text = page.section("example", text, example(gapcheck, EXAMPLE))
     text = page.section("verify", text, example(gapcheck, VERIFY))
     text = page.section("plan", text, example(gapcheck, PLAN))
-    text = page.section("speed", text, speed(gapcheck))
+    text = page.section("speed", text, speed(gapcheck, small))
     rows = []
-    for deck in sorted((ROOT / "data").glob("*.k")):
+    for deck in sorted((ROOT / "data").glob("*.k"))[:20 if small else None]:
         result = corrected(gapcheck, deck)
         if result[0]["moved"]:
             rows.append(row(f"`{deck.stem}`", result))
     text = page.section("data", text, table(rows))
-    text = page.section("scenes", text, scenes(gapcheck))
-    if len(sys.argv) == 3:
-        decks = pathlib.Path(sys.argv[2])
+    text = page.section("scenes", text, scenes(gapcheck, small))
+    if arguments.decks:
+        decks = arguments.decks
         rows = [row(name, corrected(gapcheck, decks / path, options)) for name, path, options in REAL]
         rows.append(shoes(gapcheck, decks))
         text = page.section("real", text, table(rows))

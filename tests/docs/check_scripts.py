@@ -15,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 COPIED = ["data", "docs", "scripts", "tests/apps", "tests/bench", "tests/fuzz", "tests/solver"]
 LIMIT = 120  # seconds; on an idle machine none takes more than 20
@@ -37,7 +38,7 @@ RUNS = [
     ("scripts/state_energy.py", "{gapcheck} --small", "docs/theory/state-energy.md"),
     ("scripts/tie_accuracy.py", "{test_solver} --small", "docs/theory/solver-ties.md"),
     ("tests/bench/decisions.py", "{build} work docs/decision-speed.md --rounds 1 --count 50", "docs/decision-speed.md"),
-    ("tests/bench/fix_tables.py", "{gapcheck}", "docs/fix.md"),
+    ("tests/bench/fix_tables.py", "{gapcheck} --small", "docs/fix.md"),
     ("tests/bench/measure.py", "{build} work docs/benchmarks.md --runs 1 --sizes 10 --messag 100 --only timings,rules,messag",
      "docs/benchmarks.md"),
     ("tests/bench/measure_reading.py", "{build} docs/benchmarks.md --rows 1000 --runs 1", "docs/benchmarks.md"),
@@ -135,8 +136,9 @@ def main():
             if missing:
                 loaded[script] = f"not built: {', '.join(missing)}"
                 continue
+            start = time.monotonic()
             problem = run(script, [word.format(**vars(arguments)) for word in words.split()], page, root)
-            print(f"{script}: {'fails' if problem else 'run'}", flush=True)
+            print(f"{script}: {'fails' if problem else 'run'} ({time.monotonic() - start:.1f} s)", flush=True)
             problems += [f"{script}: {problem}"] if problem else []
         for script, why in sorted(loaded.items()):
             problem = load(script, root)
