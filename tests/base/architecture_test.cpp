@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <regex>
 #include <string>
@@ -235,13 +236,22 @@ TEST(Architecture, OnlyGeometrySeesCgal) {
       }
 }
 
+/// A quick look before a regular expression, which takes a hundred times as long.
+bool has_any(const std::string& line, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return line.find(word) != std::string::npos; });
+}
+
 TEST(Architecture, TheLibraryNeverPrintsAndNeverExits) {
   const std::regex forbidden(
       R"(std::(cout|cerr|clog)\b|\b(printf|fprintf|puts|fputs|putchar|exit|_exit|quick_exit)\s*\(|fmt::print\b)");
   for (const Source& source : library_sources()) {
     const auto lines = split_lines(code_only(source));
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      EXPECT_FALSE(std::regex_search(lines[i], forbidden)) << source.path << ":" << i + 1 << ": " << lines[i];
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      EXPECT_FALSE(has_any(lines[i], {"cout", "cerr", "clog", "print", "put", "exit"}) &&
+                   std::regex_search(lines[i], forbidden))
+          << source.path << ":" << i + 1 << ": " << lines[i];
+    }
   }
 }
 
@@ -249,7 +259,7 @@ TEST(Architecture, NoThrowInTheLibrary) {
   const std::regex forbidden(R"(\bthrow\b)");
   for (const Source& source : library_sources())
     for (const std::string& line : split_lines(code_only(source)))
-      EXPECT_FALSE(std::regex_search(line, forbidden)) << source.path << ": " << line;
+      EXPECT_FALSE(has_any(line, {"throw"}) && std::regex_search(line, forbidden)) << source.path << ": " << line;
 }
 
 TEST(Architecture, FilesAreNamedInLowerCaseAndHeadersGuarded) {
