@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/triple.hpp"
 #include "geometry/nearest_slack.hpp"
 #include "geometry/patch.hpp"
 #include "geometry/view.hpp"
-
-// The loops below are compiled twice, for the baseline processor and for wider vectors. Every operation in them is
-// rounded as IEEE 754 says, so both give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define GAPCHECK_WIDE_VECTORS 1
-#else
-#define GAPCHECK_WIDE_VECTORS 0
-#endif
-#define GAPCHECK_INLINE inline __attribute__((always_inline))
 
 namespace gapcheck::geometry {
 namespace {
@@ -25,27 +17,9 @@ constexpr double last_step = 1e-8;
 /// Nearer to the border than this, others decide which feature is closest.
 constexpr double border = 1 - 1e-9;
 
-struct Triple {
-  double x, y, z;
-};
-GAPCHECK_INLINE Triple operator+(Triple p, Triple q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-GAPCHECK_INLINE Triple operator-(Triple p, Triple q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-GAPCHECK_INLINE Triple operator*(double f, Triple p) { return {f * p.x, f * p.y, f * p.z}; }
-GAPCHECK_INLINE double dot(Triple p, Triple q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
-GAPCHECK_INLINE Triple cross(Triple p, Triple q) {
-  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-}
-GAPCHECK_INLINE double larger(double a, double b) { return a < b ? b : a; }
-GAPCHECK_INLINE double smaller(double a, double b) { return b < a ? b : a; }
 GAPCHECK_INLINE double largest(Triple p) { return larger(larger(std::abs(p.x), std::abs(p.y)), std::abs(p.z)); }
 
 using Rows = std::array<FollowedPairs::Row, 3>;
-GAPCHECK_INLINE Triple load(const Rows& rows, std::size_t i) { return {rows[0][i], rows[1][i], rows[2][i]}; }
-GAPCHECK_INLINE void store(Rows& rows, std::size_t i, Triple p) {
-  rows[0][i] = p.x;
-  rows[1][i] = p.y;
-  rows[2][i] = p.z;
-}
 
 GAPCHECK_INLINE void make_patches(FollowedPairs& f, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -140,7 +114,7 @@ GAPCHECK_INLINE void follow_pairs(FollowedPairs& f, std::size_t count) {
 }
 
 #if GAPCHECK_WIDE_VECTORS
-__attribute__((target("avx2"))) void follow_wide(FollowedPairs& f, std::size_t count) { follow_pairs(f, count); }
+GAPCHECK_FOUR_LANES void follow_wide(FollowedPairs& f, std::size_t count) { follow_pairs(f, count); }
 #endif
 
 /// Pads to whole vectors by repeating the last pair. Returns the new number of pairs.
@@ -164,8 +138,8 @@ void follow_narrow(FollowedPairs& pairs, std::size_t count) {
 
 void follow(FollowedPairs& pairs, std::size_t count) {
 #if GAPCHECK_WIDE_VECTORS
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  if (wide) return follow_wide(pairs, pad(pairs, std::min(count, FollowedPairs::capacity)));
+  if (lanes_of_processor() != Lanes::two)
+    return follow_wide(pairs, pad(pairs, std::min(count, FollowedPairs::capacity)));
 #endif
   follow_narrow(pairs, count);
 }

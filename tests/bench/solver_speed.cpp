@@ -1,5 +1,6 @@
 // Two plates of N x N shells, the upper one pressed into the lower one so that every node is in contact; the shell
-// cycles per second and the share of contact. docs/benchmarks.md says what is compared with what.
+// cycles per second and the share of contact. With "bricks" first: a block of N x N x N bricks with one point, without
+// contact. docs/benchmarks.md says what is compared with what.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -55,10 +56,30 @@ std::string plates(int n, int far) {
          "*CONTROL_CONTACT\n0.1,0.\n\n\n1\n*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,2\n\n1.,1.,0.0101\n";
 }
 
+/// A block of bricks with one point, elastic.
+std::string block(int n) {
+  std::string nodes = "*NODE\n", solids = "*ELEMENT_SOLID\n";
+  const int row = n + 1;
+  int element = 0;
+  for (int k = 0; k <= n; ++k)
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i)
+        nodes += fmt::format("{:8}{:16.9f}{:16.9f}{:16.9f}\n", (k * row + j) * row + i + 1, 1.0 * i / n, 1.0 * j / n,
+                             1.0 * k / n);
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const int a = (k * row + j) * row + i + 1, b = a + row, c = a + row * row, d = c + row;
+        solids += fmt::format("{:8}{:8}{:8}{:8}{:8}{:8}{:8}{:8}{:8}{:8}\n", ++element, 1, a, a + 1, b + 1, b, c, c + 1,
+                              d + 1, d);
+      }
+  return nodes + solids + "*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,7.8e3,2.1e11,0.3\n";
+}
+
 struct Speed {
   double seconds = 0, contact_s = 0;
   std::uint64_t nodes = 0, pairs = 0, followed = 0, searches = 0, touching = 0;
-  std::size_t shells = 0;
+  std::size_t elements = 0;
 };
 
 Speed run(const std::string& text, int n, int cycles, bool with_contact) {
@@ -71,7 +92,7 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
   auto built = solver::build_structure(model.value(), {}, diagnostics);
   solver::Structure& structure = built.value();
   structure.state.x = initial.x;
-  const std::size_t shells = structure.shells.size();
+  const std::size_t elements = structure.shells.size() + structure.solids.size();
   const auto plate_nodes = static_cast<std::size_t>((n + 1) * (n + 1));
   const double weight = 1e7 / static_cast<double>(plate_nodes);
   solver::Stepper stepper(std::move(structure), {});
@@ -94,7 +115,7 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
     }
   Speed result;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.shells = shells;
+  result.elements = elements;
   if (contacts != nullptr) {
     const auto& after = contacts->counters();
     result.contact_s = after.force_s + after.search_s - before.force_s - before.search_s;
@@ -110,22 +131,33 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool bricks = argc > 1 && std::string(argv[1]) == "bricks";
+  if (bricks) {
+    --argc;
+    ++argv;
+  }
   if (argc < 3) {
-    fmt::print("usage: {} N CYCLES [JOBS] [FAR]\n", argv[0]);
+    fmt::print("usage: gapcheck_solver_speed [bricks] N CYCLES [JOBS] [FAR]\n");
     return 2;
   }
   const int n = std::atoi(argv[1]), cycles = std::atoi(argv[2]), jobs = argc > 3 ? std::atoi(argv[3]) : 0;
   const int far = argc > 4 ? std::atoi(argv[4]) : 0;
-  const std::string text = plates(n, far);
   const gapcheck::JobLimit limit(static_cast<std::size_t>(jobs));
+  if (bricks) {
+    const Speed r = run(block(n), n, cycles, false);
+    fmt::print("{} bricks: {:.2f} million element cycles per second\n", r.elements,
+               static_cast<double>(r.elements) * cycles / r.seconds / 1e6);
+    return 0;
+  }
+  const std::string text = plates(n, far);
   for (const bool with_contact : {false, true}) {
     const Speed r = run(text, n, cycles, with_contact);
     const double per_cycle = static_cast<double>(cycles);
     fmt::print(
         "{} shells, {}: {:.2f} million shell cycles per second, contact {:.1f} % of the time, {:.0f} nodes and "
         "{:.0f} pairs looked at ({:.0f} followed) and {:.3f} searches per cycle, {} touching\n",
-        r.shells, with_contact ? "contact" : "elements alone",
-        static_cast<double>(r.shells) * per_cycle / r.seconds / 1e6, 100 * r.contact_s / r.seconds,
+        r.elements, with_contact ? "contact" : "elements alone",
+        static_cast<double>(r.elements) * per_cycle / r.seconds / 1e6, 100 * r.contact_s / r.seconds,
         static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.pairs) / per_cycle,
         static_cast<double>(r.followed) / per_cycle, static_cast<double>(r.searches) / per_cycle, r.touching);
   }

@@ -25,19 +25,38 @@ class TalliedSearch final : public CandidateSearch {
   SearchTally& tally_;
 };
 
-}  // namespace
+class RepeatedSearch final : public CandidateSearch {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "repeated"; }
+  void run(std::span<const Vector> points, std::span<const Bounds> boxes, const CandidateSink& sink) const override {
+    make_search(choose_repeated_search(points, boxes))->run(points, boxes, sink);
+  }
+};
 
-SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds> boxes) {
-  // A sweep saves the cost of building a grid or tree if there is little to sweep over.
-  constexpr std::size_t few = 3000;
-  if (points.size() <= few) return SearchKind::sorted_sweep;
-  // The grid has 2²¹ cells along the longest extent with its room (bucket_grid.cpp). Boxes about as small as a cell
-  // would share it with everything near them.
+/// Up to so many points a sweep costs less than building a grid or tree.
+constexpr std::size_t few = 3000;
+
+/// The grid has 2²¹ cells along the longest extent with its room (bucket_grid.cpp). Boxes about as small as a cell
+/// would share it with everything near them.
+bool grid_is_coarse(std::span<const Vector> points, std::span<const Bounds> boxes) {
   constexpr double cells = 1 << 21, room = 5, cells_per_box = 4;
   const SearchSample sample(points, boxes);
   const double extent = std::max({sample.extent(0), sample.extent(1), sample.extent(2)});
-  return sample.box_length() * cells < cells_per_box * room * extent ? SearchKind::box_tree : SearchKind::bucket_grid;
+  return sample.box_length() * cells < cells_per_box * room * extent;
 }
+
+}  // namespace
+
+SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds> boxes) {
+  if (points.size() <= few) return SearchKind::sorted_sweep;
+  return grid_is_coarse(points, boxes) ? SearchKind::box_tree : SearchKind::bucket_grid;
+}
+
+SearchKind choose_repeated_search(std::span<const Vector> points, std::span<const Bounds> boxes) {
+  return points.size() > few && grid_is_coarse(points, boxes) ? SearchKind::box_tree : SearchKind::bucket_grid;
+}
+
+std::unique_ptr<CandidateSearch> make_repeated_search() { return std::make_unique<RepeatedSearch>(); }
 
 std::unique_ptr<CandidateSearch> make_search(SearchKind kind) {
   switch (kind) {

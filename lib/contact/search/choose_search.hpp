@@ -12,6 +12,11 @@ namespace gapcheck::contact {
 /// measurements: docs/theory/search.md.
 [[nodiscard]] SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds> boxes);
 
+/// The same for a search that is repeated on surfaces that move: the grid, unless its cells are too coarse for them.
+[[nodiscard]] SearchKind choose_repeated_search(std::span<const Vector> points, std::span<const Bounds> boxes);
+/// Chooses so for every run.
+[[nodiscard]] std::unique_ptr<CandidateSearch> make_repeated_search();
+
 /// How often each kind of search has run.
 struct SearchTally {
   std::array<std::uint64_t, all_searches.size()> runs{};

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/definition/active_time.hpp"
+#include "contact/search/choose_search.hpp"
 #include "contact/surface/erosion.hpp"
 
 namespace gapcheck::solver {
@@ -25,7 +26,7 @@ ConstraintContact::ConstraintContact(const model::Model& model, contact::Surface
       moved_(initial.x != model.mesh.nodes.x),
       movable_(std::move(movable)),
       held_(structure.constraints),
-      search_(contact::make_bucket_grid()),
+      search_(contact::make_repeated_search()),
       ties_(model) {
   held_.finish();
   for (const contact::JudgedNode& node : initial.judged)

@@ -4,6 +4,7 @@
 
 #include "base/stopwatch.hpp"
 #include "contact/definition/repeated_contacts.hpp"
+#include "contact/search/choose_search.hpp"
 #include "contact/surface/erosion.hpp"
 #include "solver/contact/curve_rule.hpp"
 
@@ -104,7 +105,7 @@ ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& s
       moved_(initial.x != model.mesh.nodes.x),
       movable_(std::move(movable)),
       masses_(model, formula),
-      search_(contact::make_bucket_grid()),
+      search_(contact::make_repeated_search()),
       ties_(model),
       setting_{model, masses_, *search_, ties_, movable_, shared_} {
   for (const contact::JudgedNode& node : initial.judged)

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "contact/surface/segment_elements.hpp"
 #include "solver/contact/curve_rule.hpp"
 #include "solver/contact/penalty_rule.hpp"
@@ -23,6 +24,15 @@ struct NodeMemories final : PassMemory {
   std::vector<KnownNode> nodes;
   bool fresh = true;
 };
+
+/// Asks for the velocities that a node in contact needs.
+void prefetch_velocities(const TrackedPairs& pairs, SlotIndex slot, const State& state) {
+  const TrackedNode& tracked = pairs.node(slot);
+  if (!tracked.active) return;
+  const contact::PairScene& scene = pairs.scene();
+  prefetch(&state.v[scene.nodes.node[slot.value].value]);
+  for (const NodeIndex corner : scene.segments.nodes[tracked.link.segment.value]) prefetch(&state.v[corner.value]);
+}
 
 std::unique_ptr<NodeRule> make_rule(const ContactSetting& setting, const TrackedPairs& pairs) {
   if (pairs.scene().type.by_segments()) return std::make_unique<SegmentRule>(setting, pairs);
@@ -60,6 +70,7 @@ void ContactPass::find_candidates(double margin, ContactCounters& counters) {
 void ContactPass::advance_places(std::size_t first, std::size_t last, const State& state, double used,
                                  FinderScratch& scratch, std::size_t b) {
   finder_.follow_pairs(first, last, scratch);
+  for (std::size_t place = first; place < last; ++place) prefetch_velocities(pairs_, pairs_.slot_at(place), state);
   PassBlock& block = blocks_[b];
   for (std::size_t place = first; place < last; ++place) {
     if (std::optional<NodeMeeting> meeting = finder_.find_meeting(place, used, scratch, block.counts))

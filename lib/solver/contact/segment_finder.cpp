@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/prefetch.hpp"
 #include "geometry/view.hpp"
 
 namespace gapcheck::solver {
@@ -31,13 +32,25 @@ void SegmentFinder::follow_pairs(std::size_t first, std::size_t last, FinderScra
   scratch.first = first;
   std::size_t count = 0;
   for (std::size_t place = first; place < last; ++place) {
+    // The states of nodes lie anywhere in memory: those of the next places are on their way while these are followed.
+    if (const std::size_t next = place + FollowedPairs::capacity; next < pairs_.near_places())
+      prefetch(&pairs_.node(pairs_.slot_at(next)));
     std::size_t& lane = scratch.lanes[place - first];
     lane = not_followed;
-    if (!may_follow(place) || !pairs_.node(pairs_.slot_at(place)).link.on_face) continue;
+    if (!may_follow(place)) continue;
+    const TrackedNode& tracked = pairs_.node(pairs_.slot_at(place));
+    if (!tracked.rivals.empty()) prefetch(tracked.rivals.data());
+    if (!tracked.link.on_face) continue;
     lane = count++;
     set_start(pairs_.slot_at(place), scratch.followed, lane);
   }
   geometry::follow(scratch.followed, count);
+  for (std::size_t place = first; place < last; ++place) {
+    if (!may_follow(place)) continue;
+    const std::span<Candidate> candidates = pairs_.candidates_at(place);
+    for (const std::uint32_t rival : pairs_.node(pairs_.slot_at(place)).rivals)
+      if (rival < candidates.size()) prefetch(&candidates[rival]);
+  }
 }
 
 std::optional<NodeMeeting> SegmentFinder::find_meeting(std::size_t place, double used, FinderScratch& scratch,

@@ -3,40 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-// The loops below are compiled several times, for the baseline processor and for wider vectors. Every operation in them
-// is rounded as IEEE 754 says, so all give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define GAPCHECK_WIDE_QUADS 1
-#else
-#define GAPCHECK_WIDE_QUADS 0
-#endif
-#define GAPCHECK_INLINE inline __attribute__((always_inline))
+#include "base/triple.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
 using Row = QuadBatch::Row;
 using Rows = QuadBatch::Rows;
-
-struct Triple {
-  double x, y, z;
-};
-GAPCHECK_INLINE Triple operator+(Triple p, Triple q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-GAPCHECK_INLINE Triple operator-(Triple p, Triple q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-GAPCHECK_INLINE Triple operator-(Triple p) { return {-p.x, -p.y, -p.z}; }
-GAPCHECK_INLINE Triple operator*(double f, Triple p) { return {f * p.x, f * p.y, f * p.z}; }
-GAPCHECK_INLINE Triple cross(Triple p, Triple q) {
-  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-}
-GAPCHECK_INLINE double dot(Triple p, Triple q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
-GAPCHECK_INLINE double larger(double a, double b) { return a < b ? b : a; }
-
-GAPCHECK_INLINE Triple load(const Rows& rows, std::size_t i) { return {rows[0][i], rows[1][i], rows[2][i]}; }
-GAPCHECK_INLINE void store(Rows& rows, std::size_t i, Triple p) {
-  rows[0][i] = p.x;
-  rows[1][i] = p.y;
-  rows[2][i] = p.z;
-}
 
 struct Frame {
   Triple e1, e2, e3;
@@ -302,22 +275,11 @@ GAPCHECK_INLINE void end_batch(QuadBatch& q, const Constants& c) {
     count_hourglass<false>(q, c);
 }
 
-#if GAPCHECK_WIDE_QUADS
-__attribute__((target("avx2"))) void begin_four(QuadBatch& q, const Constants& c, double dt) { begin_batch(q, c, dt); }
-__attribute__((target("avx2"))) void end_four(QuadBatch& q, const Constants& c) { end_batch(q, c); }
-#if !defined(__clang__)  // does not know how to ask for vectors of this width
-#define GAPCHECK_EIGHT_LANES __attribute__((target("avx512f,avx512dq,prefer-vector-width=512")))
+#if GAPCHECK_WIDE_VECTORS
+GAPCHECK_FOUR_LANES void begin_four(QuadBatch& q, const Constants& c, double dt) { begin_batch(q, c, dt); }
+GAPCHECK_FOUR_LANES void end_four(QuadBatch& q, const Constants& c) { end_batch(q, c); }
 GAPCHECK_EIGHT_LANES void begin_eight(QuadBatch& q, const Constants& c, double dt) { begin_batch(q, c, dt); }
 GAPCHECK_EIGHT_LANES void end_eight(QuadBatch& q, const Constants& c) { end_batch(q, c); }
-#else
-void begin_eight(QuadBatch& q, const Constants& c, double dt) { begin_four(q, c, dt); }
-void end_eight(QuadBatch& q, const Constants& c) { end_four(q, c); }
-#endif
-
-enum class Width { two, four, eight };
-const Width processor = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? Width::eight
-                        : __builtin_cpu_supports("avx2")                                        ? Width::four
-                                                                                                : Width::two;
 #endif
 
 /// Quads beyond the last one repeat it: what is calculated of them does not matter, but must not be slow.
@@ -407,30 +369,20 @@ void QuadBatch::pad_resultants() {
   pad(thickness, size);
 }
 
-void QuadBatch::begin_narrow(const ShellProperties& properties, double dt) {
+void QuadBatch::begin(const ShellProperties& properties, double dt, [[maybe_unused]] Lanes lanes) {
   pad_corners();
-  begin_batch(*this, Constants(properties), dt);
-}
-
-void QuadBatch::end_narrow(const ShellProperties& properties) {
-  pad_resultants();
-  end_batch(*this, Constants(properties));
-}
-
-void QuadBatch::begin(const ShellProperties& properties, double dt) {
-  pad_corners();
-#if GAPCHECK_WIDE_QUADS
-  if (processor == Width::eight) return begin_eight(*this, Constants(properties), dt);
-  if (processor == Width::four) return begin_four(*this, Constants(properties), dt);
+#if GAPCHECK_WIDE_VECTORS
+  if (lanes == Lanes::eight) return begin_eight(*this, Constants(properties), dt);
+  if (lanes == Lanes::four) return begin_four(*this, Constants(properties), dt);
 #endif
   begin_batch(*this, Constants(properties), dt);
 }
 
-void QuadBatch::end(const ShellProperties& properties) {
+void QuadBatch::end(const ShellProperties& properties, [[maybe_unused]] Lanes lanes) {
   pad_resultants();
-#if GAPCHECK_WIDE_QUADS
-  if (processor == Width::eight) return end_eight(*this, Constants(properties));
-  if (processor == Width::four) return end_four(*this, Constants(properties));
+#if GAPCHECK_WIDE_VECTORS
+  if (lanes == Lanes::eight) return end_eight(*this, Constants(properties));
+  if (lanes == Lanes::four) return end_four(*this, Constants(properties));
 #endif
   end_batch(*this, Constants(properties));
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/ids.hpp"
+#include "base/triple.hpp"
 #include "solver/element/shell.hpp"
 #include "solver/state/state.hpp"
 
@@ -49,13 +50,10 @@ struct QuadBatch {
   /// Everything else that quad_forces() returns; forces and moments are not set.
   [[nodiscard]] ShellForces rest_of(std::size_t i, const ShellProperties& properties, double plastic_work) const;
 
-  /// Frames, hourglass stresses and strains.
-  void begin(const ShellProperties& properties, double dt);
+  /// Frames, hourglass stresses and strains. `lanes`: at most those of the processor.
+  void begin(const ShellProperties& properties, double dt, Lanes lanes = lanes_of_processor());
   /// Forces and steps of the resultants.
-  void end(const ShellProperties& properties);
-  /// The same with vectors that every processor has.
-  void begin_narrow(const ShellProperties& properties, double dt);
-  void end_narrow(const ShellProperties& properties);
+  void end(const ShellProperties& properties, Lanes lanes = lanes_of_processor());
 
  private:
   void pad_corners();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "solver/element/assembly.hpp"
+#include "solver/state/assembly.hpp"
 #include "solver/element/shell.hpp"
 #include "solver/state/mass_scaling.hpp"
 #include "solver/state/summary.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/entity/faces.hpp"
+#include "solver/element/brick_batch.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -92,6 +93,16 @@ SolidCorners corners_of(const State& state, const std::array<NodeIndex, 8>& node
   return corners;
 }
 
+/// Replaces the forces on the corners; adds the work of the old and the new ones over the step. `velocity`: of a
+/// corner.
+template <class Velocity>
+void exchange(const SolidForces& now, const Velocity& velocity, double dt, Vector* forces, double& work) {
+  for (std::size_t k = 0; k < 8; ++k) {
+    work += dt / 2 * (forces[k] + now.force[k]).dot(velocity(k));
+    forces[k] = now.force[k];
+  }
+}
+
 /// The share of each corner in a solid's mass.
 std::array<double, 8> mass_shares(const SolidKind& kind, const std::array<NodeIndex, 8>& nodes) {
   return kind.tetrahedron ? std::array<double, 8>{0.25, 0.25, 0.25, 0.25} : corner_shares(kind.rule, nodes);
@@ -121,6 +132,7 @@ void let_grow(SolidState& solid, double factor) {
 }  // namespace
 
 std::uint32_t SolidElements::add_properties(SolidProperties properties) {
+  batched_.push_back(BrickBatch::takes(properties) ? 1 : 0);
   properties_.push_back(std::move(properties));
   return static_cast<std::uint32_t>(properties_.size() - 1);
 }
@@ -206,7 +218,49 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   SolidForces forces = section != no_position && sections_[section].active(state)
                            ? preloaded_forces(state, solid, corners, summary.supplied)
                            : forces_of(solid, corners, state.dt);
-  if (fails(state.time, solid, corners, forces)) {
+  judge(solid, fails(state.time, solid, forces) || tears(state.time, solid, corners, forces), forces, summary);
+  summary.work = summary.supplied;
+  exchange(
+      forces, [&](std::size_t k) -> const Vector& { return corners.v[k]; }, state.dt, &force_[8 * solid], summary.work);
+  return conclude(solid, forces, summary);
+}
+
+std::size_t SolidElements::end_of_batch(std::size_t first, std::size_t last) const {
+  if (batched_[which_[first]] == 0) return first;
+  const auto taken = [&](std::size_t solid) {
+    return which_[solid] == which_[first] && rule_[solid] == SolidRule::one_point && failed_[solid] == 0 &&
+           section_of(solid) == no_position && !points_[first_point_[solid]].failed &&
+           !model::is_tetrahedron(nodes_[solid]);
+  };
+  std::size_t end = first;
+  while (end < std::min(last, first + BrickBatch::capacity) && taken(end)) ++end;
+  return end;
+}
+
+void SolidElements::update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum) {
+  const SolidProperties& own = properties(first);
+  BrickBatch batch;
+  std::array<double, BrickBatch::capacity> plastic_work;
+  for (std::size_t solid = first; solid < last; ++solid)
+    batch.add(nodes_[solid], state, state_[solid], points_[first_point_[solid]]);
+  batch.begin(own, state.dt);
+  for (std::size_t solid = first; solid < last; ++solid)
+    plastic_work[solid - first] =
+        batch.integrate(solid - first, own, state.dt, state_[solid], points_[first_point_[solid]]);
+  batch.end(own);
+  for (std::size_t solid = first; solid < last; ++solid) {
+    const std::size_t i = solid - first;
+    SolidForces forces = batch.forces(i, state.dt, plastic_work[i]);
+    Summary summary;
+    judge(solid, fails(state.time, solid, forces), forces, summary);
+    exchange(
+        forces, [&](std::size_t k) { return batch.velocity(i, k); }, state.dt, &force_[8 * solid], summary.work);
+    sum.add(conclude(solid, forces, summary));
+  }
+}
+
+void SolidElements::judge(std::size_t solid, bool fails_now, SolidForces& forces, Summary& summary) {
+  if (fails_now) {
     failed_[solid] = 1;
     for (std::size_t p = first_point_[solid]; p < first_point_[solid + 1]; ++p) points_[p].stress = {};
     state_[solid].mean_stress = {};
@@ -218,30 +272,31 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   } else {
     summary.bad = static_cast<std::uint32_t>(solid);
   }
+}
+
+Summary SolidElements::conclude(std::size_t solid, const SolidForces& forces, Summary summary) {
   watched_.note(solid, summary.manual_step, summary.stable_step);
   summary.hourglass_work = forces.hourglass_work;
   summary.dissipated = forces.dissipated;
   summary.viscous_work = forces.viscous_work;
-  summary.work = summary.supplied;
-  for (std::size_t k = 0; k < 8; ++k) {
-    Vector& force = force_[8 * solid + k];
-    summary.work += state.dt / 2 * (force + forces.force[k]).dot(corners.v[k]);
-    force = forces.force[k];
-  }
   summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(solid);
   energy_[solid].add(summary);
   return summary;
 }
 
-bool SolidElements::fails(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces) {
+bool SolidElements::fails(double time, std::size_t solid, const SolidForces& forces) const {
   const std::span<const PointState> points = this->points(solid);
   if (std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; })) return true;
   if (past_time(properties(solid).material.erosion, time)) return true;
   if (!forces.good) return inverted_fail_ || properties(solid).inverted_fails;
-  if (std::min(small_.factor * forces.manual_step, forces.stable_step / step_slack) < small_.least) return true;
+  return std::min(small_.factor * forces.manual_step, forces.stable_step / step_slack) < small_.least;
+}
+
+bool SolidElements::tears(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces) {
   const WeldLimits& weld = properties(solid).weld;
-  return weld.exist() && weld_fails(weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points),
-                                    state_[solid].weld);
+  return forces.good && weld.exist() &&
+         weld_fails(weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points(solid)),
+                    state_[solid].weld);
 }
 
 SolidForces SolidElements::forces_of(std::size_t solid, const SolidCorners& corners, double dt) {
@@ -291,7 +346,14 @@ Summary SolidElements::update(const State& state) {
   for (SectionStress& section : sections_) section.imposed.stress = section.curve.at(state.time);
   return sum_over_blocks<Summary>(size(), [&](std::size_t begin, std::size_t end) {
     Summary sum;
-    for (std::size_t i = begin; i < end; ++i) sum.add(update_one(state, i));
+    for (std::size_t i = begin; i < end;) {
+      const std::size_t last = end_of_batch(i, end);
+      if (last > i)
+        update_batch(state, i, last, sum);
+      else
+        sum.add(update_one(state, i));
+      i = std::max(last, i + 1);
+    }
     return sum;
   });
 }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "solver/element/assembly.hpp"
 #include "solver/element/solid.hpp"
 #include "solver/quadrature/nodal_average.hpp"
+#include "solver/state/assembly.hpp"
 #include "solver/state/mass_scaling.hpp"
 #include "solver/state/summary.hpp"
 
@@ -89,13 +89,23 @@ class SolidElements {
   [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
   void average_volumes(const State& state);
   [[nodiscard]] SolidForces forces_of(std::size_t solid, const SolidCorners& corners, double dt);
-  [[nodiscard]] bool fails(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces);
+  /// The end of the solids from `first` on that can be in one batch; `first`: it cannot be in any.
+  [[nodiscard]] std::size_t end_of_batch(std::size_t first, std::size_t last) const;
+  /// update_one() of solids that can be in one batch.
+  void update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum);
+  [[nodiscard]] bool fails(double time, std::size_t solid, const SolidForces& forces) const;
+  /// The limits of a spotweld are exceeded.
+  [[nodiscard]] bool tears(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces);
+  /// Removes a solid that fails, otherwise notes its steps or that it is bad.
+  void judge(std::size_t solid, bool fails_now, SolidForces& forces, Summary& summary);
+  [[nodiscard]] Summary conclude(std::size_t solid, const SolidForces& forces, Summary summary);
   /// With the stress of its section. `supplied`: what that puts into the solid in the step.
   [[nodiscard]] SolidForces preloaded_forces(const State& state, std::size_t solid, const SolidCorners& corners,
                                              double& supplied);
   [[nodiscard]] double stored_at(std::size_t solid, const std::array<Vector, 8>& corners) const;
 
   std::vector<SolidProperties> properties_;
+  std::vector<char> batched_;  ///< by properties: BrickBatch takes them
   std::vector<std::array<NodeIndex, 8>> nodes_;
   std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
   std::vector<SolidRule> rule_;

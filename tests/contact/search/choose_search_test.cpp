@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "contact/initial.hpp"
 #include "keyword/deck.hpp"
@@ -70,7 +73,7 @@ TEST(ChooseSearch, AllSearchesFindTheSameOnAllScenesAndAsMuchAsIsInThem) {
 }
 
 /// Pairs of a deck's scene as its largest search gets them: all nodes, all shells.
-SearchKind choice(SceneKind kind, std::uint64_t shells) {
+SearchKind choice(SceneKind kind, std::uint64_t shells, decltype(choose_search)& choose = choose_search) {
   std::string deck_text;
   bench::write_scene(kind, shells, [&](std::string_view piece) { deck_text += piece; });
   Diagnostics diagnostics;
@@ -83,7 +86,7 @@ SearchKind choice(SceneKind kind, std::uint64_t shells) {
     for (const NodeIndex n : nodes) box.add(mesh.nodes.x[n.value]);
     boxes.push_back(grown(box, 0.02));
   }
-  return choose_search(mesh.nodes.x, boxes);
+  return choose(mesh.nodes.x, boxes);
 }
 
 TEST(ChooseSearch, TakesWhatFitsTheScene) {
@@ -91,6 +94,50 @@ TEST(ChooseSearch, TakesWhatFitsTheScene) {
   EXPECT_EQ(choice(SceneKind::plates, 20000), SearchKind::bucket_grid);
   EXPECT_EQ(choice(SceneKind::airbag, 20000), SearchKind::bucket_grid);
   EXPECT_EQ(choice(SceneKind::cluster, 20000), SearchKind::box_tree);
+}
+
+TEST(ChooseSearch, RepeatedSearchesTakeTheGridUnlessItIsTooCoarse) {
+  EXPECT_EQ(choice(SceneKind::plates, 1500, choose_repeated_search), SearchKind::bucket_grid);
+  EXPECT_EQ(choice(SceneKind::plates, 20000, choose_repeated_search), SearchKind::bucket_grid);
+  EXPECT_EQ(choice(SceneKind::airbag, 20000, choose_repeated_search), SearchKind::bucket_grid);
+  EXPECT_EQ(choice(SceneKind::cluster, 20000, choose_repeated_search), SearchKind::box_tree);
+}
+
+/// Two layers of points 0.01 apart with boxes around those of the lower one, and a third one, half as large, `far`
+/// away.
+struct Layers {
+  std::vector<Vector> points;
+  std::vector<Bounds> boxes;
+
+  Layers(int n, double far) {
+    for (const double z : {0.0, 0.01})
+      for (int i = 0; i < n * n; ++i) points.emplace_back(1.0 * (i % n) / n, 1.0 * (i / n) / n, z);
+    for (int i = 0; i < n * n; ++i) boxes.push_back(grown(Bounds{points[i], points[i]}, 0.6 / n));
+    for (int i = 0; i < n * n / 2; ++i) points.emplace_back(far + 1.0 * (i % n) / n, 1.0 * (i / n) / n, 0);
+  }
+};
+
+// A part of many nodes far away leaves one cell for everything else. The pairs that the search hands over stay the
+// same, as only those in the boxes count.
+TEST(ChooseSearch, RepeatedSearchesTakeTheTreeBesideALargePartFarAway) {
+  const Layers near(50, 100), far(50, 1e8);
+  EXPECT_EQ(choose_repeated_search(near.points, near.boxes), SearchKind::bucket_grid);
+  EXPECT_EQ(choose_repeated_search(far.points, far.boxes), SearchKind::box_tree);
+  const auto pairs = [](const CandidateSearch& search, const Layers& layers) {
+    std::mutex mutex;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+    search.run(layers.points, layers.boxes, [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
+      const std::lock_guard lock(mutex);
+      for (const std::uint32_t point : inside) all.emplace_back(box, point);
+    });
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  const auto found = pairs(*make_repeated_search(), far);
+  EXPECT_EQ(found.size(), 2 * 50U * 50U);
+  EXPECT_EQ(found, pairs(*make_bucket_grid(), far));
+  EXPECT_EQ(found, pairs(*make_brute_force(), far));
+  EXPECT_EQ(found, pairs(*make_repeated_search(), near));
 }
 
 TEST(ChooseSearch, StrangeInputsAreChosenForToo) {

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <string>
 
@@ -80,9 +81,16 @@ void expect_same(const ShellState& a, const ShellState& b, const std::string& wh
   for (std::size_t k = 0; k < 5; ++k) ASSERT_EQ(bits(a.hourglass[k]), bits(b.hourglass[k])) << where;
 }
 
+std::vector<Lanes> all_lanes() {
+  std::vector<Lanes> all{Lanes::two};
+  for (const Lanes lanes : {Lanes::four, Lanes::eight})
+    if (lanes <= lanes_of_processor()) all.push_back(lanes);
+  return all;
+}
+
 /// What ShellElements does with a batch.
 std::vector<ShellForces> run_batch(const ShellProperties& properties, std::vector<Quad>& quads, double dt,
-                                   bool narrow) {
+                                   Lanes lanes) {
   QuadBatch batch;
   State state;
   for (const Quad& quad : quads) {
@@ -92,11 +100,11 @@ std::vector<ShellForces> run_batch(const ShellProperties& properties, std::vecto
     state.w.insert(state.w.end(), quad.corners.w.begin(), quad.corners.w.end());
     batch.add({NodeIndex{first}, NodeIndex{first + 1}, NodeIndex{first + 2}, NodeIndex{first + 3}}, state, quad.state);
   }
-  narrow ? batch.begin_narrow(properties, dt) : batch.begin(properties, dt);
+  batch.begin(properties, dt, lanes);
   std::vector<double> work;
   for (std::size_t i = 0; i < quads.size(); ++i)
     work.push_back(batch.integrate(i, properties, dt, quads[i].state, quads[i].points));
-  narrow ? batch.end_narrow(properties) : batch.end(properties);
+  batch.end(properties, lanes);
   std::vector<ShellForces> forces;
   for (std::size_t i = 0; i < quads.size(); ++i) {
     ShellForces& now = forces.emplace_back(batch.rest_of(i, properties, work[i]));
@@ -130,28 +138,29 @@ TEST_P(Kinds, AreThoseOfSingleQuads) {
     const double size = std::pow(10, numbers.number(2)), shape = trial % 4 == 0 ? 0 : 0.3;
     std::vector<Quad> single;
     for (int i = 0; i <= trial % 16; ++i) single.push_back(make_quad(numbers, properties, size, shape));
-    std::vector<Quad> wide = single, narrow = single;
+    std::map<Lanes, std::vector<Quad>> batches;
+    for (const Lanes lanes : all_lanes()) batches[lanes] = single;
     for (int cycle = 0; cycle < 6; ++cycle) {
       const double dt = cycle == 3 ? 0 : 1e-7 * size;
-      Numbers same = numbers, again = numbers;
+      const Numbers same = numbers;
       std::vector<ShellForces> expected;
       for (Quad& quad : single) {
         move(numbers, quad, 3e4, dt);
         expected.push_back(quad_forces(properties, quad.corners, dt, quad.state, quad.points));
       }
-      for (Quad& quad : wide) move(same, quad, 3e4, dt);
-      for (Quad& quad : narrow) move(again, quad, 3e4, dt);
-      const std::vector<ShellForces> by_wide = run_batch(properties, wide, dt, false);
-      const std::vector<ShellForces> by_narrow = run_batch(properties, narrow, dt, true);
-      for (std::size_t i = 0; i < single.size(); ++i) {
-        const std::string where = "trial " + std::to_string(trial) + " cycle " + std::to_string(cycle) + " quad " +
-                                  std::to_string(i) + " of " + std::to_string(single.size());
-        expect_same(expected[i], by_wide[i], where);
-        expect_same(expected[i], by_narrow[i], where + " narrow");
-        expect_same(single[i].state, wide[i].state, where);
-        expect_same(single[i].state, narrow[i].state, where + " narrow");
-        if (HasFatalFailure()) return;
-        flowed += single[i].points[0].plastic_strain > 0;
+      for (auto& [lanes, quads] : batches) {
+        Numbers again = same;
+        for (Quad& quad : quads) move(again, quad, 3e4, dt);
+        const std::vector<ShellForces> forces = run_batch(properties, quads, dt, lanes);
+        for (std::size_t i = 0; i < single.size(); ++i) {
+          const std::string where = "trial " + std::to_string(trial) + " cycle " + std::to_string(cycle) + " quad " +
+                                    std::to_string(i) + " of " + std::to_string(single.size()) + " lanes " +
+                                    std::to_string(static_cast<int>(lanes));
+          expect_same(expected[i], forces[i], where);
+          expect_same(single[i].state, quads[i].state, where);
+          if (HasFatalFailure()) return;
+          flowed += single[i].points[0].plastic_strain > 0;
+        }
       }
     }
   }
@@ -178,7 +187,7 @@ TEST(QuadBatch, BadShapesAreThoseOfSingleQuads) {
   for (Quad& quad : quads)
     for (std::size_t k = 0; k < 4; ++k) quad.corners.v[k] = quad.corners.w[k] = Vector::Zero();
   std::vector<Quad> single = quads;
-  const std::vector<ShellForces> forces = run_batch(properties, quads, 0, false);
+  const std::vector<ShellForces> forces = run_batch(properties, quads, 0, lanes_of_processor());
   for (std::size_t i = 0; i < quads.size(); ++i) {
     const ShellForces expected = quad_forces(properties, single[i].corners, 0, single[i].state, single[i].points);
     EXPECT_EQ(forces[i].good, expected.good) << i;

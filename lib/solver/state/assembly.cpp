@@ -1,4 +1,4 @@
-#include "solver/element/assembly.hpp"
+#include "solver/state/assembly.hpp"
 
 namespace gapcheck::solver {
 
