@@ -20,8 +20,8 @@ if(GAPCHECK_TWIN_COMPILER)
   set(GAPCHECK_TWIN_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/use_instead.sh "${command}")
 endif()
 # Rooms that print, read or pass on: without optimisation the compiler needs a third of the time, and their tests no more.
-set(GAPCHECK_LIGHT_TWINS gapcheck_base gapcheck_records gapcheck_results gapcheck_report gapcheck_api gapcheck_apps
-    gapcheck_commands gapcheck_manual_text gapcheck_check_c_arguments)
+set(GAPCHECK_LIGHT_TWINS gapcheck_base gapcheck_records gapcheck_keyword gapcheck_model gapcheck_results
+    gapcheck_report gapcheck_api gapcheck_apps gapcheck_commands gapcheck_manual_text gapcheck_check_c_arguments)
 # Compiled file by file, so that no file misses an include.
 set(GAPCHECK_PLAIN_TWINS gapcheck_base gapcheck_records gapcheck_keyword)
 

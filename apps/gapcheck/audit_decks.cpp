@@ -242,6 +242,8 @@ int audit_decks(AuditArguments arguments) {
     print(Diagnostic{Severity::note, "", 0,
                      fmt::format("{} {} found that other decks include, and not audited alone; the first is {}", parts,
                                  parts == 1 ? "file was" : "files were", list.parts_of_others.front())});
+  constexpr std::uint64_t kept_for_others = std::uint64_t{1} << 30;
+  if (list.decks.size() > 1) cache.keep_included(kept_for_others);
   const JobLimit limit(arguments.jobs);
   return Run(std::move(arguments), list.decks).run();
 }

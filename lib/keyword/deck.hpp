@@ -27,6 +27,7 @@ struct SourceFile {
   FileIndex includer = none<FileIndex>;
   std::uint32_t include_line = 0;  ///< in the includer
   TransformIndex of_mesh{0};       ///< that of its nodes and elements
+  std::shared_ptr<FileScan> kept;  ///< of a file that is kept for other decks; nullptr: it is not
 };
 
 /// One keyword with its data lines. Views stay valid as long as the deck.

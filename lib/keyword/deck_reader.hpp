@@ -48,7 +48,8 @@ class DeckReader {
   Result<Deck> finish();
 
   // deck.cpp: one file
-  [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical);
+  [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical,
+                                                               bool included);
   FileIndex add_file(const std::string& path, std::string_view bytes, const FileContext* includer, std::uint32_t line);
   void read_file(FileContext context, const std::vector<Mark>& marks);
   bool add_block(Block block, const FileContext& context, bool templated);

@@ -150,7 +150,7 @@ void DeckReader::open_shifted(const FileContext& context, CardReader& reader, co
 /// An included file that is readable; null: the reason is already reported.
 std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, const std::string& canonical,
                                                      const Block& block, std::uint32_t line) {
-  auto file = open_file(path, canonical);
+  auto file = open_file(path, canonical, true);
   const bool empty = file.ok() && file.value()->bytes().empty();
   const std::string problem = !file ? file.error().message : empty ? "is empty" : problem_of(file.value()->bytes());
   if (problem.empty()) return std::move(file).value();
@@ -205,6 +205,7 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
   canonical_.push_back(canonical);
   FileContext inner = context;
   inner.file = add_file(path, file->bytes(), &context, include.line);
+  deck_.files_.back().kept = file->kept();
   inner.transforms = transforms;
   inner.scope = deck_.parameters_.add_scope(context.scope);
   ++inner.depth;

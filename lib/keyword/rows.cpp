@@ -1,11 +1,16 @@
 #include "keyword/rows.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <memory>
+#include <utility>
 
 #include "base/parallel.hpp"
+#include "keyword/kept_rows.hpp"
 #include "keyword/text/fixed_field.hpp"
 
 namespace gapcheck::keyword {
@@ -19,11 +24,6 @@ struct BodyPiece {
   std::size_t begin = 0, end = 0;
   std::uint32_t first_line = 0, lines = 0;
   std::size_t first_row = 0, rows = 0;
-};
-
-struct Column {
-  std::size_t begin = 0, width = 0;
-  std::int64_t offset = 0;
 };
 
 bool is_blank(std::string_view line) {
@@ -154,7 +154,7 @@ class RowReader {
       const Cell cell = locate(layout, block.format, i);
       if (cell.column != end) gapless_ = false;
       end = cell.column + cell.width;
-      const Column column{cell.column, cell.width, offsets[static_cast<std::size_t>(field.id)]};
+      const RowColumn column{cell.column, cell.width, offsets[static_cast<std::size_t>(field.id)]};
       (field.type == FieldType::integer ? integer_columns_ : real_columns_).push_back(column);
       (field.type == FieldType::integer ? integer_fields_ : real_fields_).push_back(i);
       if (column.offset > max_safe_offset || column.offset < -max_safe_offset) safe_offsets_ = false;
@@ -163,11 +163,13 @@ class RowReader {
     aligned_ = gapless_ && safe_offsets_ && !integer_columns_.empty();
   }
 
-  [[nodiscard]] std::size_t integer_columns() const { return integer_columns_.size(); }
-  [[nodiscard]] std::size_t real_columns() const { return real_columns_.size(); }
+  [[nodiscard]] const std::vector<RowColumn>& integer_columns() const { return integer_columns_; }
+  [[nodiscard]] const std::vector<RowColumn>& real_columns() const { return real_columns_; }
 
   /// Reads the rows of one piece; `rows` has room for them and one more, since a line may turn out not to be one.
-  void read(const BodyPiece& piece, Rows& rows, Diagnostics& diagnostics) const {
+  /// False: the deck's parameters take part in the numbers.
+  bool read(const BodyPiece& piece, Rows& rows, Diagnostics& diagnostics) const {
+    bool alone = true;
     const std::string_view body = block_.body;
     std::int64_t* integers = rows.integers.data();
     double* reals = rows.reals.data();
@@ -178,7 +180,7 @@ class RowReader {
       if (lines == room) {  // rows were counted a moment ago
         diagnostics.error(deck_.file(block_.file).path, number,
                           "the file has changed while it was read; read it again");
-        return;
+        return false;
       }
       std::size_t next = 0;
       if (!read_aligned(at, next, integers, reals)) {
@@ -187,19 +189,23 @@ class RowReader {
           at = next;
           continue;
         }
-        if (!read_plain(line, integers, reals)) read_card(line, number, integers, reals, diagnostics);
+        if (!read_plain(line, integers, reals)) {
+          alone = alone && line.find('&') == std::string_view::npos;
+          read_card(line, number, integers, reals, diagnostics);
+        }
       }
       at = next;
       *lines++ = number;
       integers += integer_columns_.size();
       reals += real_columns_.size();
     }
+    return alone;
   }
 
  private:
   /// Offsets up to this size cannot overflow a plain number.
   static constexpr auto max_safe_offset = std::int64_t{1} << 61;
-  static std::int64_t with_offset(const Column& column, std::int64_t id) {
+  static std::int64_t with_offset(const RowColumn& column, std::int64_t id) {
     return id == 0 ? 0 : id > 0 ? id + column.offset : id - column.offset;
   }
 
@@ -209,14 +215,14 @@ class RowReader {
     const std::string_view body = block_.body;
     if (!aligned_ || at < reach || body.size() - at < end_ + reach) return false;
     const char* const line = body.data() + at;
-    for (const Column& column : integer_columns_) {
+    for (const RowColumn& column : integer_columns_) {
       if (!read_fixed_integer(line + column.begin, column.width, *integers)) return false;
       *integers = with_offset(column, *integers);
       ++integers;
     }
     // Zero or blank: perhaps the whole line is.
     if (integers[-static_cast<std::ptrdiff_t>(integer_columns_.size())] == 0) return false;
-    for (const Column& column : real_columns_) {
+    for (const RowColumn& column : real_columns_) {
       if (!read_fixed_real(line + column.begin, column.width, *reals) || !(std::abs(*reals) <= Card::max_real))
         return false;
       ++reals;
@@ -235,13 +241,13 @@ class RowReader {
     // In unused columns a comma makes the line free format, and a tab moves what follows.
     if (!gapless_ && line.find_first_of(",\t") != std::string_view::npos) return false;
     const char* const data = line.data();
-    for (const Column& column : integer_columns_) {
+    for (const RowColumn& column : integer_columns_) {
       const std::size_t begin = std::min(column.begin, line.size());
       std::int64_t& value = *integers++;
       if (!plain_integer(data + begin, data + std::min(begin + column.width, line.size()), value)) return false;
       value = with_offset(column, value);
     }
-    for (const Column& column : real_columns_) {
+    for (const RowColumn& column : real_columns_) {
       const std::size_t begin = std::min(column.begin, line.size());
       if (!plain_real(data + begin, data + std::min(begin + column.width, line.size()), *reals++)) return false;
     }
@@ -258,45 +264,96 @@ class RowReader {
   const Deck& deck_;
   const Block& block_;
   const CardLayout& layout_;
-  std::vector<Column> integer_columns_, real_columns_;
+  std::vector<RowColumn> integer_columns_, real_columns_;
   std::vector<std::size_t> integer_fields_, real_fields_;
   std::size_t end_ = 0;  ///< column after the last field
   bool gapless_ = true, safe_offsets_ = true, aligned_ = false;
 };
 
-}  // namespace
+/// Where the tables of the block's file are kept for later decks; nullptr: nowhere.
+KeptRows* kept_rows(const Deck& deck, const Block& block) {
+  const SourceFile& file = deck.file(block.file);
+  if (file.kept == nullptr || block.body.empty() || file.bytes.empty()) return nullptr;
+  const std::less_equal<const char*> not_after;
+  const bool of_file = not_after(file.bytes.data(), block.body.data()) &&
+                       not_after(block.body.data() + block.body.size(), file.bytes.data() + file.bytes.size());
+  return of_file ? &file.kept->rows : nullptr;
+}
 
-void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics,
-                         const MakeRoom& make_room, const TakeRows& take) {
+/// A table that was kept, handed over like a block that is read.
+void hand_over(const RowTable& table, const MakeRoom& make_room, const TakeRows& take) {
+  make_room(table.count);
+  parallel_for(table.pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) take(table.pieces[i].first, *table.pieces[i].rows);
+  });
+}
+
+/// The rows without the room behind them.
+std::shared_ptr<const Rows> copy_of(const Rows& rows) {
+  const auto first = [](const auto& all, std::size_t count) {
+    return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  Rows copy{rows.count, rows.integer_columns, rows.real_columns, {}, {}, {}};
+  copy.integers = first(rows.integers, rows.count * rows.integer_columns);
+  copy.reals = first(rows.reals, rows.count * rows.real_columns);
+  copy.lines = first(rows.lines, rows.count);
+  return std::make_shared<const Rows>(std::move(copy));
+}
+
+/// Counts lines and rows of all pieces, and numbers them.
+std::vector<BodyPiece> counted_pieces(const Block& block) {
   std::vector<BodyPiece> pieces = cut(block.body);
   parallel_for(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) count(block.body, pieces[i]);
   });
   std::uint32_t line = block.line + 1;
-  std::size_t rows_in_all = 0;
+  std::size_t rows = 0;
   for (BodyPiece& piece : pieces) {
     piece.first_line = line;
-    piece.first_row = rows_in_all;
+    piece.first_row = rows;
     line += piece.lines;
-    rows_in_all += piece.rows;
+    rows += piece.rows;
   }
-  make_room(rows_in_all);
+  return pieces;
+}
+
+}  // namespace
+
+void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics,
+                         const MakeRoom& make_room, const TakeRows& take) {
   const RowReader reader(deck, block, layout);
+  KeptRows* const kept = kept_rows(deck, block);
+  KeptRows::Key key;
+  if (kept != nullptr) {
+    const auto position = static_cast<std::size_t>(block.body.data() - deck.file(block.file).bytes.data());
+    key = {position, reader.integer_columns(), reader.real_columns()};
+    if (const RowTable* table = kept->find(key)) return hand_over(*table, make_room, take);
+  }
+  const std::vector<BodyPiece> pieces = counted_pieces(block);
+  const std::size_t count = pieces.empty() ? 0 : pieces.back().first_row + pieces.back().rows;
+  make_room(count);
   std::vector<Diagnostics> reports(pieces.size());
+  const bool keep = kept != nullptr && kept->keeps();
+  RowTable table{count, std::vector<RowTable::Piece>(keep ? pieces.size() : 0)};
+  std::atomic<bool> text_alone{true};
   parallel_for(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
     Rows rows;
-    rows.integer_columns = reader.integer_columns();
-    rows.real_columns = reader.real_columns();
+    rows.integer_columns = reader.integer_columns().size();
+    rows.real_columns = reader.real_columns().size();
     for (std::size_t i = begin; i < end; ++i) {
       rows.count = pieces[i].rows;
       const std::size_t room = std::max(rows.count + 1, rows.lines.size());
       rows.integers.resize(room * rows.integer_columns);
       rows.reals.resize(room * rows.real_columns);
       rows.lines.resize(room);
-      reader.read(pieces[i], rows, reports[i]);
+      if (!reader.read(pieces[i], rows, reports[i])) text_alone = false;
       if (rows.count > 0) take(pieces[i].first_row, rows);
+      if (keep) table.pieces[i] = {pieces[i].first_row, copy_of(rows)};
     }
   });
+  const auto silent = [](const Diagnostics& report) { return report.sorted().empty(); };
+  if (keep && text_alone && std::all_of(reports.begin(), reports.end(), silent))
+    kept->keep(std::move(key), std::move(table));
   // The list keeps only the first reports, so they must come in the order of the file.
   for (const Diagnostics& report : reports) diagnostics.take(report);
 }

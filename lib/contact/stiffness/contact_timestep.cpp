@@ -208,7 +208,7 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
   all.element = smallest_element_timestep(model, sizes);
   all.timesteps.element_timestep = all.element.timestep;
   all.run = run_timestep(model.controls, all.element.timestep);
-  TimestepEstimate estimate(model, sizes);
+  std::optional<TimestepEstimate> first_use;  // a deck without such contacts needs no masses of nodes
   auto& list = all.timesteps.surface_timesteps;
   double& least = all.timesteps.contact_timestep;
   for (const ContactIndex c : contacts) {
@@ -216,6 +216,7 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
     if (!contact.known || contact.own_layout || !has_timestep(classify(contact))) continue;
     const ContactSurfaces& s = surfaces.at(c);
     if (contact.soft == 2) continue;  // the solver prints none
+    TimestepEstimate& estimate = first_use ? *first_use : first_use.emplace(model, sizes);
     const bool transducer = s.type.code == ContactCode::transducer;
     const double scale_a = model.controls.slsfac * contact.sfs, scale_b = model.controls.slsfac * contact.sfm;
     const Segments &a = s.a.selection.segments, &b = s.b.selection.segments;
