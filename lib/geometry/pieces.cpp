@@ -1,0 +1,330 @@
+#include "geometry/pieces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/precise_edge.hpp"
+#include "geometry/precise_point.hpp"
+#include "geometry/view.hpp"
+
+namespace gapcheck::geometry::precise {
+namespace {
+
+constexpr double squared_roundoff = roundoff * roundoff;
+constexpr int greatest_depth = 40, most_pieces = 64;
+
+/// Coefficients in Bernstein form, over the patch or a piece of it: of the squared distance, and of half its
+/// derivatives, all as [power of s][power of t].
+struct Coefficients {
+  std::array<std::array<double, 3>, 3> square;
+  std::array<std::array<double, 3>, 2> by_s;
+  std::array<std::array<double, 2>, 3> by_t;
+};
+
+/// The sides of a quad as differences of its own corners: their errors are relative to themselves.
+struct Sides {
+  Vector low, high, left, right;
+  explicit Sides(const Facet& quad)
+      : low(quad.x[1] - quad.x[0]),
+        high(quad.x[2] - quad.x[3]),
+        left(quad.x[3] - quad.x[0]),
+        right(quad.x[2] - quad.x[1]) {}
+};
+
+Coefficients coefficients(const Corners& e, const Sides& d) {
+  const auto mean = [](double a, double b) { return 0.5 * (a + b); };
+  Coefficients k;
+  k.square = {{{e[0].squaredNorm(), e[0].dot(e[3]), e[3].squaredNorm()},
+               {e[0].dot(e[1]), mean(e[0].dot(e[2]), e[1].dot(e[3])), e[3].dot(e[2])},
+               {e[1].squaredNorm(), e[1].dot(e[2]), e[2].squaredNorm()}}};
+  k.by_s = {{{e[0].dot(d.low), mean(e[0].dot(d.high), e[3].dot(d.low)), e[3].dot(d.high)},
+             {e[1].dot(d.low), mean(e[1].dot(d.high), e[2].dot(d.low)), e[2].dot(d.high)}}};
+  k.by_t = {{{e[0].dot(d.left), e[3].dot(d.left)},
+             {mean(e[0].dot(d.right), e[1].dot(d.left)), mean(e[3].dot(d.right), e[2].dot(d.left))},
+             {e[1].dot(d.right), e[2].dot(d.right)}}};
+  return k;
+}
+
+/// What the coefficients must exceed. Their errors, halvings included, are below 512 roundoffs of their size.
+struct Margins {
+  double nearer, farther, by_s, by_t;
+
+  Margins(double size, double bound, const Sides& d) {
+    const double error = 512 * roundoff * size;
+    nearer = bound * bound * (1 - 8 * roundoff) - error * size;
+    farther = bound * bound * (1 + 8 * roundoff) + error * size;
+    by_s = error * std::max(d.low.lpNorm<1>(), d.high.lpNorm<1>()) + 1e-290;
+    by_t = error * std::max(d.left.lpNorm<1>(), d.right.lpNorm<1>()) + 1e-290;
+  }
+};
+
+template <class Table>
+double least(const Table& k) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const auto& row : k)
+    for (const double value : row) out = std::min(out, value);
+  return out;
+}
+template <class Table>
+double greatest(const Table& k) {
+  double out = -std::numeric_limits<double>::infinity();
+  for (const auto& row : k)
+    for (const double value : row) out = std::max(out, value);
+  return out;
+}
+/// The derivative is nowhere zero.
+template <class Table>
+bool never_zero(const Table& k, double margin) {
+  return least(k) > margin || greatest(k) < -margin;
+}
+
+/// An edge in doubles: squares of its ends, and halves of the derivatives there. Tied if it is at the bound up to
+/// rounding.
+Verdict edge_by_coefficients(double first, double last, double at_first, double at_last, const Margins& margin) {
+  const double value =
+      at_first < 0 && at_last > 0 ? first - at_first * (at_first / (at_last - at_first)) : std::min(first, last);
+  if (value < margin.nearer) return Verdict::closer;
+  return value >= margin.farther ? Verdict::apart : Verdict::tied;
+}
+
+/// Closer if one edge is, apart if all are.
+Verdict edges_verdict(const Facet& quad, const Vector& query, double size, double bound, const Coefficients& k,
+                      const Margins& margin) {
+  const auto& f = k.square;
+  const auto& s = k.by_s;
+  const auto& t = k.by_t;
+  const std::array<Verdict, 4> quick{edge_by_coefficients(f[0][0], f[2][0], s[0][0], s[1][0], margin),
+                                     edge_by_coefficients(f[2][0], f[2][2], t[2][0], t[2][1], margin),
+                                     edge_by_coefficients(f[0][2], f[2][2], s[0][2], s[1][2], margin),
+                                     edge_by_coefficients(f[0][0], f[0][2], t[0][0], t[0][1], margin)};
+  static constexpr std::array<std::array<std::size_t, 2>, 4> ends{{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
+  if (std::find(quick.begin(), quick.end(), Verdict::closer) != quick.end()) return Verdict::closer;
+  bool open = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (quick[i] == Verdict::apart) continue;
+    const Verdict verdict = edge_verdict(quad.x[ends[i][0]], quad.x[ends[i][1]], query, size, bound);
+    if (verdict == Verdict::closer) return verdict;
+    open = open || verdict != Verdict::apart;
+  }
+  return open ? Verdict::open : Verdict::apart;
+}
+
+/// A point inside the patch at which the squared distance is stationary, to about 30 digits.
+class Stationary {
+ public:
+  Stationary(const Facet& quad, const Vector& query, double size, double bound, const Place& start);
+  [[nodiscard]] bool closer() const { return beside_.closer(); }
+  /// Nothing on the patch between two values of t is nearer than the bound.
+  [[nodiscard]] bool apart_for_t(double t0, double t1) const {
+    return beside_.apart(drop(a_, b_at_s_, slope_s_, slope_t_, t0, t1));
+  }
+  [[nodiscard]] bool apart_for_s(double s0, double s1) const {
+    return beside_.apart(drop(b_, a_at_t_, slope_t_, slope_s_, s0, s1));
+  }
+
+ private:
+  void evaluate(const Number& squared_bound);
+  bool improve();
+  [[nodiscard]] double drop(const Vector& a, const Vector& other, double slope_a, double slope_other, double from,
+                            double to) const;
+
+  Point exact_m_, exact_a_, exact_b_, exact_c_;
+  Vector a_, b_, c_, a_at_t_, b_at_s_, w_;
+  Parameter s_, t_;
+  double size_, slope_s_ = 0, slope_t_ = 0, twist_ = 0;
+  Beside beside_;
+};
+
+Stationary::Stationary(const Facet& quad, const Vector& query, double size, double bound, const Place& start)
+    : s_{{start.s, 0}, -1, 1}, t_{{start.t, 0}, -1, 1}, size_(size) {
+  const Point e0 = difference(quad.x[0], query), e1 = difference(quad.x[1], query), e2 = difference(quad.x[2], query),
+              e3 = difference(quad.x[3], query);
+  const Point low = e0 + e1, high = e3 + e2, right = e1 - e0, left = e2 - e3;
+  exact_m_ = quarter(low + high);
+  exact_a_ = quarter(right + left);
+  exact_b_ = quarter(high - low);
+  exact_c_ = quarter(left - right);
+  a_ = rounded(exact_a_);
+  b_ = rounded(exact_b_);
+  c_ = rounded(exact_c_);
+  const Number squared_bound = two_product(bound, bound);
+  constexpr int steps = 3;
+  evaluate(squared_bound);
+  for (int step = 0; step < steps && !closer() && improve(); ++step) evaluate(squared_bound);
+}
+
+void Stationary::evaluate(const Number& squared_bound) {
+  const Point along_s = exact_a_ + t_.value * exact_c_, along_t = exact_b_ + s_.value * exact_c_;
+  const Point w = (exact_m_ + t_.value * exact_b_) + s_.value * along_s;
+  w_ = rounded(w);
+  a_at_t_ = rounded(along_s);
+  b_at_s_ = rounded(along_t);
+  slope_s_ = dot(w, along_s).high;
+  slope_t_ = dot(w, along_t).high;
+  twist_ = dot(w, exact_c_).high;
+  beside_ = Beside(w, size_, squared_bound);
+}
+
+/// One step of Newton's method. The determinant by the cross product: on slivers the squares cancel.
+bool Stationary::improve() {
+  const double ss = a_at_t_.squaredNorm(), tt = b_at_s_.squaredNorm(), mixed = a_at_t_.dot(b_at_s_);
+  const double st = mixed + twist_, det = a_at_t_.cross(b_at_s_).squaredNorm() - twist_ * (2 * mixed + twist_);
+  const double ds = (st * slope_t_ - tt * slope_s_) / det, dt = (st * slope_s_ - ss * slope_t_) / det;
+  if (!(std::abs(ds) + std::abs(dt) <= 1e-3) || std::abs(ds) + std::abs(dt) < 1e-28) return false;
+  s_.move(ds);
+  t_.move(dt);
+  return true;
+}
+
+/// Upper bound of how much smaller than here the squared distance gets anywhere between two values of the parameter
+/// along `other`, whose derivative here is `other`; the derivative along the other parameter is a + value c.
+double Stationary::drop(const Vector& a, const Vector& other, double slope_a, double slope_other, double from,
+                        double to) const {
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+  const double length_c = c_.norm(), length_a = a.norm() + length_c, length_b = other.norm() + length_c;
+  const Vector here = a + middle * c_, n = here.cross(other), turn = c_.cross(other);
+  const double q0 = n.squaredNorm() - twist_ * (2 * here.dot(other) + twist_);
+  const double swing = 2 * half * std::abs(n.dot(turn) - twist_ * c_.dot(other));
+  const double curve = half * half * turn.squaredNorm();
+  const double product = length_a * length_b, rounding = squared_roundoff * size_;
+  const double error_n = 32 * roundoff * product + 128 * rounding * (length_a + length_b);
+  const double error_twist = 4 * roundoff * std::abs(twist_) + 1024 * rounding * (w_.norm() + length_c);
+  const double error = 5 * error_n * (n.norm() + half * turn.norm()) + 2.1 * product * error_twist +
+                       8 * std::abs(twist_) * (error_n + error_twist) + 2 * error_twist * error_twist;
+  const double least_q = (swing >= 2 * curve ? q0 + curve - swing : q0 - 0.5 * swing) - error;
+  if (!(least_q > 1e-250)) return std::numeric_limits<double>::infinity();
+  const double ga = std::abs(slope_a) + 1024 * rounding * (w_.norm() + length_a),
+               gb = std::abs(slope_other) + 1024 * rounding * (w_.norm() + length_b);
+  return (2.002 * (length_b * length_b * ga * ga + length_a * length_a * gb * gb) + 1e-290) / least_q;
+}
+
+/// A part of the patch, its parameters in [-1, 1].
+struct Piece {
+  Coefficients k;
+  double s0 = -1, s1 = 1, t0 = -1, t1 = 1;
+  int depth = 0;
+};
+
+/// The halves of a piece, cut at a value of s.
+void cut_s(const Piece& piece, Piece& first, Piece& last) {
+  first = last = piece;
+  ++first.depth, ++last.depth;
+  first.s1 = last.s0 = 0.5 * (piece.s0 + piece.s1);
+  const auto cut = [](const auto& k, auto& low, auto& high, std::size_t j) {
+    const double before = 0.5 * (k[0][j] + k[1][j]), after = 0.5 * (k[1][j] + k[2][j]);
+    low[1][j] = before;
+    high[1][j] = after;
+    low[2][j] = high[0][j] = 0.5 * (before + after);
+  };
+  for (std::size_t j = 0; j < 3; ++j) cut(piece.k.square, first.k.square, last.k.square, j);
+  for (std::size_t j = 0; j < 2; ++j) cut(piece.k.by_t, first.k.by_t, last.k.by_t, j);
+  for (std::size_t j = 0; j < 3; ++j)
+    first.k.by_s[1][j] = last.k.by_s[0][j] = 0.5 * (piece.k.by_s[0][j] + piece.k.by_s[1][j]);
+}
+
+/// The same at a value of t.
+void cut_t(const Piece& piece, Piece& first, Piece& last) {
+  first = last = piece;
+  ++first.depth, ++last.depth;
+  first.t1 = last.t0 = 0.5 * (piece.t0 + piece.t1);
+  const auto cut = [](const auto& k, auto& low, auto& high) {
+    const double before = 0.5 * (k[0] + k[1]), after = 0.5 * (k[1] + k[2]);
+    low[1] = before;
+    high[1] = after;
+    low[2] = high[0] = 0.5 * (before + after);
+  };
+  for (std::size_t i = 0; i < 3; ++i) cut(piece.k.square[i], first.k.square[i], last.k.square[i]);
+  for (std::size_t i = 0; i < 2; ++i) cut(piece.k.by_s[i], first.k.by_s[i], last.k.by_s[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    first.k.by_t[i][1] = last.k.by_t[i][0] = 0.5 * (piece.k.by_t[i][0] + piece.k.by_t[i][1]);
+}
+
+/// The inside of a patch whose edges are apart: its nearest point lies on a piece with a stationary point, or is apart
+/// too.
+class Inside {
+ public:
+  Inside(const Margins& margins, const Sides& d, const Stationary* stationary)
+      : margins_(margins),
+        length_s_(d.low.lpNorm<1>() + d.high.lpNorm<1>()),
+        length_t_(d.left.lpNorm<1>() + d.right.lpNorm<1>()),
+        stationary_(stationary) {}
+
+  [[nodiscard]] Verdict prove(const Coefficients& all) const {
+    if (const Verdict verdict = of_piece(all, -1, 1, -1, 1); verdict != Verdict::open) return verdict;
+    std::array<Piece, greatest_depth + 2> stack;
+    std::size_t waiting = 0;
+    stack[waiting++].k = all;
+    for (int pieces = 2; waiting > 0; pieces += 2) {
+      if (pieces > most_pieces) return Verdict::open;
+      const Piece whole = stack[--waiting];
+      if (whole.depth == greatest_depth) return Verdict::open;
+      Piece &first = stack[waiting], &last = stack[waiting + 1];
+      if ((whole.s1 - whole.s0) * length_s_ >= (whole.t1 - whole.t0) * length_t_)
+        cut_s(whole, first, last);
+      else
+        cut_t(whole, first, last);
+      const Verdict one = of_piece(first), other = of_piece(last);
+      if (one == Verdict::closer || other == Verdict::closer) return Verdict::closer;
+      if (one == Verdict::apart) {
+        if (other == Verdict::open) first = last;
+        waiting += other == Verdict::open ? 1 : 0;
+      } else {
+        waiting += other == Verdict::open ? 2 : 1;
+      }
+    }
+    return Verdict::apart;
+  }
+
+ private:
+  [[nodiscard]] Verdict of_piece(const Piece& p) const { return of_piece(p.k, p.s0, p.s1, p.t0, p.t1); }
+  [[nodiscard]] Verdict of_piece(const Coefficients& k, double s0, double s1, double t0, double t1) const {
+    const auto& f = k.square;
+    if (std::min(std::min(f[0][0], f[0][2]), std::min(f[2][0], f[2][2])) < margins_.nearer) return Verdict::closer;
+    if (never_zero(k.by_s, margins_.by_s) || never_zero(k.by_t, margins_.by_t) || least(f) >= margins_.farther)
+      return Verdict::apart;
+    if (stationary_ == nullptr) return Verdict::open;
+    return stationary_->apart_for_t(t0, t1) || stationary_->apart_for_s(s0, s1) ? Verdict::apart : Verdict::open;
+  }
+
+  const Margins& margins_;
+  double length_s_, length_t_;
+  const Stationary* stationary_;
+};
+
+}  // namespace
+
+Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double bound,
+                     const std::optional<Place>& inside) {
+  const Sides sides(quad);
+  const Margins margins(size, bound, sides);
+  const Coefficients all = coefficients(seen_from(quad, query), sides);
+  if (const Verdict verdict = edges_verdict(quad, query, size, bound, all, margins); verdict != Verdict::apart)
+    return verdict;
+  if (!inside) return Inside(margins, sides, nullptr).prove(all);
+  const Stationary stationary(quad, query, size, bound, *inside);
+  return stationary.closer() ? Verdict::closer : Inside(margins, sides, &stationary).prove(all);
+}
+
+Verdict triangle_edges_verdict(const Facet& triangle, const Vector& query, double size, double bound) {
+  const auto& x = triangle.x;
+  const std::array<Vector, 3> e{x[0] - query, x[1] - query, x[2] - query}, d{x[1] - x[0], x[2] - x[1], x[0] - x[2]};
+  bool open = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Verdict verdict = edge_verdict(x[i], x[(i + 1) % 3], query, size, bound);
+    if (verdict == Verdict::closer) return verdict;
+    open = open || verdict != Verdict::apart;
+  }
+  if (open) return Verdict::open;
+  for (const Vector& direction : d) {
+    if (direction.isZero(0)) return Verdict::apart;  // the triangle is an edge
+    const double margin = 512 * roundoff * size * direction.lpNorm<1>() + 1e-290;
+    const std::array<double, 3> slope{e[0].dot(direction), e[1].dot(direction), e[2].dot(direction)};
+    const auto [low, high] = std::minmax_element(slope.begin(), slope.end());
+    if (*low > margin || *high < -margin) return Verdict::apart;
+  }
+  return Verdict::open;
+}
+
+}  // namespace gapcheck::geometry::precise
