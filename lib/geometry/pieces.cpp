@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/precise_edge.hpp"
 #include "geometry/precise_point.hpp"
@@ -13,7 +14,7 @@ namespace gapcheck::geometry::precise {
 namespace {
 
 constexpr double squared_roundoff = roundoff * roundoff;
-constexpr int greatest_depth = 40, most_pieces = 64;
+constexpr int greatest_depth = 40, most_cuts = 64;
 
 /// Coefficients in Bernstein form, over the patch or a piece of it: of the squared distance, and of half its
 /// derivatives, all as [power of s][power of t].
@@ -80,36 +81,63 @@ bool never_zero(const Table& k, double margin) {
   return least(k) > margin || greatest(k) < -margin;
 }
 
-/// An edge in doubles: squares of its ends, and halves of the derivatives there. Tied if it is at the bound up to
-/// rounding.
-Verdict edge_by_coefficients(double first, double last, double at_first, double at_last, const Margins& margin) {
-  const double value =
-      at_first < 0 && at_last > 0 ? first - at_first * (at_first / (at_last - at_first)) : std::min(first, last);
-  if (value < margin.nearer) return Verdict::closer;
-  return value >= margin.farther ? Verdict::apart : Verdict::tied;
-}
+/// The point of one edge nearest to the query, in doubles.
+struct NearestOnEdge {
+  double square;
+  bool first, last;  ///< surely this end
 
-/// Closer if one edge is, apart if all are.
-Verdict edges_verdict(const Facet& quad, const Vector& query, double size, double bound, const Coefficients& k,
-                      const Margins& margin) {
-  const auto& f = k.square;
-  const auto& s = k.by_s;
-  const auto& t = k.by_t;
-  const std::array<Verdict, 4> quick{edge_by_coefficients(f[0][0], f[2][0], s[0][0], s[1][0], margin),
-                                     edge_by_coefficients(f[2][0], f[2][2], t[2][0], t[2][1], margin),
-                                     edge_by_coefficients(f[0][2], f[2][2], s[0][2], s[1][2], margin),
-                                     edge_by_coefficients(f[0][0], f[0][2], t[0][0], t[0][1], margin)};
-  static constexpr std::array<std::array<std::size_t, 2>, 4> ends{{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
-  if (std::find(quick.begin(), quick.end(), Verdict::closer) != quick.end()) return Verdict::closer;
-  bool open = false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (quick[i] == Verdict::apart) continue;
-    const Verdict verdict = edge_verdict(quad.x[ends[i][0]], quad.x[ends[i][1]], query, size, bound);
-    if (verdict == Verdict::closer) return verdict;
-    open = open || verdict != Verdict::apart;
+  NearestOnEdge(double at_first_end, double at_last_end, double slope_first, double slope_last, double margin)
+      : square(slope_first < 0 && slope_last > 0
+                   ? at_first_end - slope_first * (slope_first / (slope_last - slope_first))
+                   : std::min(at_first_end, at_last_end)),
+        first(slope_first > margin),
+        last(slope_last < -margin) {}
+};
+
+constexpr std::array<std::array<std::size_t, 2>, 4> ends{{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
+
+/// The four edges of a quad.
+class Edges {
+ public:
+  Edges(const Facet& quad, const Coefficients& k, const Margins& margin)
+      : quad_(quad),
+        margin_(margin),
+        edge_{NearestOnEdge(k.square[0][0], k.square[2][0], k.by_s[0][0], k.by_s[1][0], margin.by_s),
+              NearestOnEdge(k.square[2][0], k.square[2][2], k.by_t[2][0], k.by_t[2][1], margin.by_t),
+              NearestOnEdge(k.square[0][2], k.square[2][2], k.by_s[0][2], k.by_s[1][2], margin.by_s),
+              NearestOnEdge(k.square[0][0], k.square[0][2], k.by_t[0][0], k.by_t[0][1], margin.by_t)} {}
+
+  /// Closer if one edge is, apart if all are.
+  [[nodiscard]] Verdict verdict(const Vector& query, double size, double bound) const {
+    for (const NearestOnEdge& edge : edge_)
+      if (edge.square < margin_.nearer) return Verdict::closer;
+    std::array<bool, 4> corner_apart{};
+    bool open = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const NearestOnEdge& edge = edge_[i];
+      if (edge.square >= margin_.farther) continue;
+      const std::size_t corner = ends[i][edge.last ? 1 : 0];
+      const bool at_corner = edge.first || edge.last;
+      if (at_corner && corner_apart[corner]) continue;
+      const Vector &a = quad_.x[ends[i][0]], &b = quad_.x[ends[i][1]];
+      const Verdict verdict =
+          at_corner ? corner_verdict(quad_.x[corner], query, size, bound) : edge_verdict(a, b, query, size, bound);
+      if (verdict == Verdict::closer) return verdict;
+      if (at_corner) corner_apart[corner] = verdict == Verdict::apart;
+      open = open || verdict != Verdict::apart;
+    }
+    return open ? Verdict::open : Verdict::apart;
   }
-  return open ? Verdict::open : Verdict::apart;
-}
+  [[nodiscard]] std::size_t nearest() const {
+    const auto less = [](const NearestOnEdge& a, const NearestOnEdge& b) { return a.square < b.square; };
+    return static_cast<std::size_t>(std::min_element(edge_.begin(), edge_.end(), less) - edge_.begin());
+  }
+
+ private:
+  const Facet& quad_;
+  const Margins& margin_;
+  std::array<NearestOnEdge, 4> edge_;
+};
 
 /// A point inside the patch at which the squared distance is stationary, to about 30 digits.
 class Stationary {
@@ -241,25 +269,49 @@ void cut_t(const Piece& piece, Piece& first, Piece& last) {
     first.k.by_t[i][1] = last.k.by_t[i][0] = 0.5 * (piece.k.by_t[i][0] + piece.k.by_t[i][1]);
 }
 
+/// Newton's method for a stationary point of the squared distance, in doubles.
+std::optional<Place> stationary_near(const Patch& p, Place at) {
+  for (int step = 0; step < 10; ++step) {
+    const Vector along_s = p.along_s(at.t), along_t = p.along_t(at.s), w = p.m + at.t * p.b + at.s * along_s;
+    const double gs = w.dot(along_s), gt = w.dot(along_t), ss = along_s.squaredNorm(), tt = along_t.squaredNorm();
+    const double st = along_s.dot(along_t) + w.dot(p.c), det = ss * tt - st * st;
+    const double ds = (st * gt - tt * gs) / det, dt = (st * gs - ss * gt) / det, moved = std::abs(ds) + std::abs(dt);
+    if (!(moved < 2)) return std::nullopt;
+    at = {at.s + ds, at.t + dt};
+    if (!(std::abs(at.s) < 1.5 && std::abs(at.t) < 1.5)) return std::nullopt;
+    if (moved < 1e-9) return std::abs(at.s) < 1 && std::abs(at.t) < 1 ? std::optional(at) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 /// The inside of a patch whose edges are apart: its nearest point lies on a piece with a stationary point, or is apart
 /// too.
 class Inside {
  public:
-  Inside(const Margins& margins, const Sides& d, const Stationary* stationary)
-      : margins_(margins),
+  Inside(const Facet& quad, const Vector& query, double size, double bound, const Margins& margins, const Sides& d)
+      : quad_(quad),
+        query_(query),
+        size_(size),
+        bound_(bound),
+        margins_(margins),
         length_s_(d.low.lpNorm<1>() + d.high.lpNorm<1>()),
-        length_t_(d.left.lpNorm<1>() + d.right.lpNorm<1>()),
-        stationary_(stationary) {}
+        length_t_(d.left.lpNorm<1>() + d.right.lpNorm<1>()) {}
 
-  [[nodiscard]] Verdict prove(const Coefficients& all) const {
-    if (const Verdict verdict = of_piece(all, -1, 1, -1, 1); verdict != Verdict::open) return verdict;
+  /// To be looked for near here.
+  void look(const Place& start) { stationary_.emplace(quad_, query_, size_, bound_, start); }
+  [[nodiscard]] Verdict of_all(const Coefficients& all) const {
+    if (stationary_ && stationary_->closer()) return Verdict::closer;
+    return of_piece(all, -1, 1, -1, 1);
+  }
+  [[nodiscard]] Verdict by_pieces(const Coefficients& all) {
     std::array<Piece, greatest_depth + 2> stack;
     std::size_t waiting = 0;
     stack[waiting++].k = all;
-    for (int pieces = 2; waiting > 0; pieces += 2) {
-      if (pieces > most_pieces) return Verdict::open;
+    for (int cuts = 1; waiting > 0; ++cuts) {
       const Piece whole = stack[--waiting];
-      if (whole.depth == greatest_depth) return Verdict::open;
+      if (cuts > most_cuts || whole.depth == greatest_depth) return Verdict::open;
+      if (cuts == 4 || cuts == 12 || cuts == 28) look_in(whole);
+      if (stationary_ && stationary_->closer()) return Verdict::closer;
       Piece &first = stack[waiting], &last = stack[waiting + 1];
       if ((whole.s1 - whole.s0) * length_s_ >= (whole.t1 - whole.t0) * length_t_)
         cut_s(whole, first, last);
@@ -267,64 +319,75 @@ class Inside {
         cut_t(whole, first, last);
       const Verdict one = of_piece(first), other = of_piece(last);
       if (one == Verdict::closer || other == Verdict::closer) return Verdict::closer;
-      if (one == Verdict::apart) {
-        if (other == Verdict::open) first = last;
-        waiting += other == Verdict::open ? 1 : 0;
-      } else {
-        waiting += other == Verdict::open ? 2 : 1;
-      }
+      if (one == Verdict::apart && other == Verdict::open) first = last;
+      waiting += (one == Verdict::open ? 1U : 0U) + (other == Verdict::open ? 1U : 0U);
     }
     return Verdict::apart;
   }
 
  private:
+  void look_in(const Piece& p) {
+    const auto place =
+        stationary_near(Patch(seen_from(quad_, query_)), Place{0.5 * (p.s0 + p.s1), 0.5 * (p.t0 + p.t1)});
+    if (place) look(*place);
+  }
   [[nodiscard]] Verdict of_piece(const Piece& p) const { return of_piece(p.k, p.s0, p.s1, p.t0, p.t1); }
   [[nodiscard]] Verdict of_piece(const Coefficients& k, double s0, double s1, double t0, double t1) const {
     const auto& f = k.square;
     if (std::min(std::min(f[0][0], f[0][2]), std::min(f[2][0], f[2][2])) < margins_.nearer) return Verdict::closer;
     if (never_zero(k.by_s, margins_.by_s) || never_zero(k.by_t, margins_.by_t) || least(f) >= margins_.farther)
       return Verdict::apart;
-    if (stationary_ == nullptr) return Verdict::open;
+    if (!stationary_) return Verdict::open;
     return stationary_->apart_for_t(t0, t1) || stationary_->apart_for_s(s0, s1) ? Verdict::apart : Verdict::open;
   }
 
+  const Facet& quad_;
+  const Vector& query_;
+  double size_, bound_;
   const Margins& margins_;
   double length_s_, length_t_;
-  const Stationary* stationary_;
+  std::optional<Stationary> stationary_;
 };
 
 }  // namespace
 
 Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double bound,
-                     const std::optional<Place>& inside) {
+                     const std::optional<Place>& place) {
   const Sides sides(quad);
   const Margins margins(size, bound, sides);
   const Coefficients all = coefficients(seen_from(quad, query), sides);
-  if (const Verdict verdict = edges_verdict(quad, query, size, bound, all, margins); verdict != Verdict::apart)
-    return verdict;
-  if (!inside) return Inside(margins, sides, nullptr).prove(all);
-  const Stationary stationary(quad, query, size, bound, *inside);
-  return stationary.closer() ? Verdict::closer : Inside(margins, sides, &stationary).prove(all);
+  const Edges edges(quad, all, margins);
+  if (const Verdict verdict = edges.verdict(query, size, bound); verdict != Verdict::apart) return verdict;
+  Inside inside(quad, query, size, bound, margins, sides);
+  if (place) inside.look(*place);
+  if (const Verdict verdict = inside.of_all(all); verdict != Verdict::open) return verdict;
+  const auto& edge = ends[edges.nearest()];
+  if (!place && separated_by_edge(quad.x[edge[0]], quad.x[edge[1]], quad.x, query, size, bound)) return Verdict::apart;
+  return inside.by_pieces(all);
 }
 
 Verdict triangle_edges_verdict(const Facet& triangle, const Vector& query, double size, double bound) {
   const auto& x = triangle.x;
-  const std::array<Vector, 3> e{x[0] - query, x[1] - query, x[2] - query}, d{x[1] - x[0], x[2] - x[1], x[0] - x[2]};
+  std::size_t nearest = 0;
+  double least_square = std::numeric_limits<double>::infinity();
   bool open = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Verdict verdict = edge_verdict(x[i], x[(i + 1) % 3], query, size, bound);
+    const Vector &a = x[i], &b = x[(i + 1) % 3];
+    const Verdict verdict = edge_verdict(a, b, query, size, bound);
     if (verdict == Verdict::closer) return verdict;
     open = open || verdict != Verdict::apart;
+    const double square = closest_point_on_line(a, b, query).squared_distance;
+    if (square < least_square) {
+      least_square = square;
+      nearest = i;
+    }
   }
   if (open) return Verdict::open;
-  for (const Vector& direction : d) {
-    if (direction.isZero(0)) return Verdict::apart;  // the triangle is an edge
-    const double margin = 512 * roundoff * size * direction.lpNorm<1>() + 1e-290;
-    const std::array<double, 3> slope{e[0].dot(direction), e[1].dot(direction), e[2].dot(direction)};
-    const auto [low, high] = std::minmax_element(slope.begin(), slope.end());
-    if (*low > margin || *high < -margin) return Verdict::apart;
-  }
-  return Verdict::open;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (x[i] == x[(i + 1) % 3]) return Verdict::apart;  // the triangle is an edge
+  const std::array<Vector, 4> corners{x[0], x[1], x[2], x[2]};
+  return separated_by_edge(x[nearest], x[(nearest + 1) % 3], corners, query, size, bound) ? Verdict::apart
+                                                                                          : Verdict::open;
 }
 
 }  // namespace gapcheck::geometry::precise

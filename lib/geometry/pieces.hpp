@@ -17,9 +17,9 @@ struct Place {
 /// there. `size` (size_of, of the corners less the query) must be usable() (view.hpp), the bound positive and finite.
 /// Derivation: docs/theory/decisions.md.
 [[nodiscard]] Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double bound,
-                                   const std::optional<Place>& inside);
+                                   const std::optional<Place>& place);
 
-/// The same for a triangle: its edges, and directions in which the distance surely changes all over it.
+/// The same for a triangle whose nearest point lies on its edges.
 [[nodiscard]] Verdict triangle_edges_verdict(const Facet& triangle, const Vector& query, double size, double bound);
 
 }  // namespace gapcheck::geometry::precise

@@ -53,6 +53,18 @@ Verdict verdict_without_rounding(const Point& a, const Point& b, const Point& al
   return verdict_of(dot(n, n) - squared_bound * dot(d, d));
 }
 
+Verdict corner_without_rounding(const Point& a, double bound) {
+  const CheckedPoint p(a);
+  const Checked reach{bound, true};
+  return verdict_of(dot(p, p) - reach * reach);
+}
+
+/// The parameter of the point of a + x d nearest to the origin, in doubles.
+Parameter nearest_parameter(const Vector& a, const Vector& d) {
+  const double length = d.squaredNorm(), ratio = length > 0 ? -a.dot(d) / length : 0;
+  return {{std::isfinite(ratio) ? std::clamp(ratio, 0.0, 1.0) : 0, 0}, 0, 1};
+}
+
 /// Upper bound of how much nearer to the origin (in squares) than at w = a + x d the edge gets anywhere.
 double drop_along(const Parameter& x, double slope, const Vector& w, const Vector& d, double size) {
   const double reach = w.lpNorm<1>() + 512 * roundoff * size, length = d.lpNorm<1>();
@@ -69,8 +81,8 @@ Verdict edge_verdict(const Vector& a, const Vector& b, const Vector& query, doub
   const Point from = difference(a, query), to = difference(b, query), along = difference(b, a);
   const Vector d = rounded(along);
   const Number squared_bound = two_product(bound, bound);
-  const double length = d.squaredNorm(), ratio = length > 0 ? -rounded(from).dot(d) / length : 0;
-  Parameter x{{std::isfinite(ratio) ? std::clamp(ratio, 0.0, 1.0) : 0, 0}, 0, 1};
+  const double length = d.squaredNorm();
+  Parameter x = nearest_parameter(rounded(from), d);
   for (int step = 0;; ++step) {
     const Point w = x.at_least() ? from : x.at_greatest() ? to : from + x.value * along;
     const Beside beside(w, size, squared_bound);
@@ -83,6 +95,42 @@ Verdict edge_verdict(const Vector& a, const Vector& b, const Vector& query, doub
     x.move(move);
   }
   return verdict_without_rounding(from, to, along, bound);
+}
+
+Verdict corner_verdict(const Vector& a, const Vector& query, double size, double bound) {
+  const Point w = difference(a, query);
+  const Beside beside(w, size, two_product(bound, bound));
+  if (beside.closer()) return Verdict::closer;
+  return beside.apart(0) ? Verdict::apart : corner_without_rounding(w, bound);
+}
+
+bool separated_by_edge(const Vector& a, const Vector& b, const std::array<Vector, 4>& corners, const Vector& query,
+                       double size, double bound) {
+  constexpr int steps = 2;
+  // From the end that is nearer: the other would bring errors of its own size.
+  const bool from_b = (b - query).squaredNorm() < (a - query).squaredNorm();
+  const Point from = difference(from_b ? b : a, query), along = from_b ? difference(a, b) : difference(b, a);
+  const Vector d = rounded(along);
+  const double length = d.squaredNorm();
+  Parameter x = nearest_parameter(rounded(from), d);
+  Point w = from + x.value * along;
+  for (int step = 0; step < steps; ++step) {
+    const double slope = dot(w, along).high, move = -slope / length;
+    if (!(std::abs(move) <= 1) || x.held(slope)) break;
+    x.move(move);
+    w = from + x.value * along;
+  }
+  constexpr double squared_roundoff = roundoff * roundoff;
+  const Number ww = square(w);
+  if (!(ww.high >= 1e-40 * size * size)) return false;
+  const double error = 32 * squared_roundoff * size * rounded(w).lpNorm<1>();
+  for (const Vector& corner : corners) {
+    const Number height = dot(difference(corner, query), w) + Number{-error, 0};
+    if (!(height.high > 0)) return false;
+    const Number square = height * height, reach = two_product(bound, bound) * ww;
+    if (!((square - reach).high > 256 * squared_roundoff * (square.high + reach.high))) return false;
+  }
+  return true;
 }
 
 }  // namespace gapcheck::geometry::precise

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "geometry/certificate.hpp"
 
 namespace gapcheck::geometry::precise {
@@ -8,5 +10,13 @@ namespace gapcheck::geometry::precise {
 /// ends less the query) must be usable() (view.hpp), the bound positive and finite. Derivation:
 /// docs/theory/decisions.md.
 [[nodiscard]] Verdict edge_verdict(const Vector& a, const Vector& b, const Vector& query, double size, double bound);
+
+/// The same for a point.
+[[nodiscard]] Verdict corner_verdict(const Vector& a, const Vector& query, double size, double bound);
+
+/// True if all corners surely lie behind a plane that is as far away as the bound or farther: the plane through the
+/// point of the edge from a to b nearest to the query, at right angles to the way there.
+[[nodiscard]] bool separated_by_edge(const Vector& a, const Vector& b, const std::array<Vector, 4>& corners,
+                                     const Vector& query, double size, double bound);
 
 }  // namespace gapcheck::geometry::precise
