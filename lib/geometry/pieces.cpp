@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "geometry/precise_edge.hpp"
 #include "geometry/precise_point.hpp"
@@ -159,9 +160,10 @@ class Stationary {
                             double to) const;
 
   Point exact_m_, exact_a_, exact_b_, exact_c_;
+  Number exact_slope_s_, exact_slope_t_, exact_ss_, exact_st_, exact_tt_;
   Vector a_, b_, c_, a_at_t_, b_at_s_, w_;
   Parameter s_, t_;
-  double size_, slope_s_ = 0, slope_t_ = 0, twist_ = 0;
+  double size_, slope_s_ = 0, slope_t_ = 0, twist_ = 0, last_move_ = 1;
   Beside beside_;
 };
 
@@ -178,7 +180,7 @@ Stationary::Stationary(const Facet& quad, const Vector& query, double size, doub
   b_ = rounded(exact_b_);
   c_ = rounded(exact_c_);
   const Number squared_bound = two_product(bound, bound);
-  constexpr int steps = 3;
+  constexpr int steps = 8;
   evaluate(squared_bound);
   for (int step = 0; step < steps && !closer() && improve(); ++step) evaluate(squared_bound);
 }
@@ -189,18 +191,28 @@ void Stationary::evaluate(const Number& squared_bound) {
   w_ = rounded(w);
   a_at_t_ = rounded(along_s);
   b_at_s_ = rounded(along_t);
-  slope_s_ = dot(w, along_s).high;
-  slope_t_ = dot(w, along_t).high;
+  exact_slope_s_ = dot(w, along_s);
+  exact_slope_t_ = dot(w, along_t);
+  slope_s_ = exact_slope_s_.high;
+  slope_t_ = exact_slope_t_.high;
   twist_ = dot(w, exact_c_).high;
+  exact_ss_ = square(along_s);
+  exact_st_ = dot(along_s, along_t);
+  exact_tt_ = square(along_t);
   beside_ = Beside(w, size_, squared_bound);
 }
 
-/// One step of Newton's method. The determinant by the cross product: on slivers the squares cancel.
+/// One step of Newton's method; without the twist (Gauss and Newton) where the square is not convex. On slivers
+/// products cancel to a millionth of a millionth: hence the cross product, and the steps from numbers of 106 bits.
 bool Stationary::improve() {
-  const double ss = a_at_t_.squaredNorm(), tt = b_at_s_.squaredNorm(), mixed = a_at_t_.dot(b_at_s_);
-  const double st = mixed + twist_, det = a_at_t_.cross(b_at_s_).squaredNorm() - twist_ * (2 * mixed + twist_);
-  const double ds = (st * slope_t_ - tt * slope_s_) / det, dt = (st * slope_s_ - ss * slope_t_) / det;
-  if (!(std::abs(ds) + std::abs(dt) <= 1e-3) || std::abs(ds) + std::abs(dt) < 1e-28) return false;
+  const double area = a_at_t_.cross(b_at_s_).squaredNorm(), convex = area - twist_ * (2 * exact_st_.high + twist_);
+  const double twist = convex > 0 ? twist_ : 0, det = convex > 0 ? convex : area;
+  const Number st = exact_st_ + Number{twist, 0};
+  const double ds = (st * exact_slope_t_ - exact_tt_ * exact_slope_s_).high / det;
+  const double dt = (st * exact_slope_s_ - exact_ss_ * exact_slope_t_).high / det;
+  const double moved = std::abs(ds) + std::abs(dt);
+  if (!(moved <= 4) || last_move_ < 1e-12) return false;
+  last_move_ = moved;
   s_.move(ds);
   t_.move(dt);
   return true;
@@ -274,7 +286,9 @@ std::optional<Place> stationary_near(const Patch& p, Place at) {
   for (int step = 0; step < 10; ++step) {
     const Vector along_s = p.along_s(at.t), along_t = p.along_t(at.s), w = p.m + at.t * p.b + at.s * along_s;
     const double gs = w.dot(along_s), gt = w.dot(along_t), ss = along_s.squaredNorm(), tt = along_t.squaredNorm();
-    const double st = along_s.dot(along_t) + w.dot(p.c), det = ss * tt - st * st;
+    const double mixed = along_s.dot(along_t), twist = w.dot(p.c), st = mixed + twist;
+    const double det = ss * tt - st * st;
+    if (!(det > 1e-6 * ss * tt)) return std::nullopt;
     const double ds = (st * gt - tt * gs) / det, dt = (st * gs - ss * gt) / det, moved = std::abs(ds) + std::abs(dt);
     if (!(moved < 2)) return std::nullopt;
     at = {at.s + ds, at.t + dt};
@@ -297,10 +311,13 @@ class Inside {
         length_s_(d.low.lpNorm<1>() + d.high.lpNorm<1>()),
         length_t_(d.left.lpNorm<1>() + d.right.lpNorm<1>()) {}
 
-  /// To be looked for near here.
-  void look(const Place& start) { stationary_.emplace(quad_, query_, size_, bound_, start); }
+  /// Looks for a stationary point, beside the one found before.
+  void look(const Place& start) {
+    std::swap(stationary_[0], stationary_[1]);
+    stationary_[0].emplace(quad_, query_, size_, bound_, start);
+  }
   [[nodiscard]] Verdict of_all(const Coefficients& all) const {
-    if (stationary_ && stationary_->closer()) return Verdict::closer;
+    if (stationary_[0] && stationary_[0]->closer()) return Verdict::closer;
     return of_piece(all, -1, 1, -1, 1);
   }
   [[nodiscard]] Verdict by_pieces(const Coefficients& all) {
@@ -311,7 +328,7 @@ class Inside {
       const Piece whole = stack[--waiting];
       if (cuts > most_cuts || whole.depth == greatest_depth) return Verdict::open;
       if (cuts == 4 || cuts == 12 || cuts == 28) look_in(whole);
-      if (stationary_ && stationary_->closer()) return Verdict::closer;
+      if (stationary_[0] && stationary_[0]->closer()) return Verdict::closer;
       Piece &first = stack[waiting], &last = stack[waiting + 1];
       if ((whole.s1 - whole.s0) * length_s_ >= (whole.t1 - whole.t0) * length_t_)
         cut_s(whole, first, last);
@@ -327,9 +344,9 @@ class Inside {
 
  private:
   void look_in(const Piece& p) {
-    const auto place =
-        stationary_near(Patch(seen_from(quad_, query_)), Place{0.5 * (p.s0 + p.s1), 0.5 * (p.t0 + p.t1)});
-    if (place) look(*place);
+    const Place middle{0.5 * (p.s0 + p.s1), 0.5 * (p.t0 + p.t1)};
+    const auto place = stationary_near(Patch(seen_from(quad_, query_)), middle);
+    look(place.value_or(middle));
   }
   [[nodiscard]] Verdict of_piece(const Piece& p) const { return of_piece(p.k, p.s0, p.s1, p.t0, p.t1); }
   [[nodiscard]] Verdict of_piece(const Coefficients& k, double s0, double s1, double t0, double t1) const {
@@ -337,8 +354,9 @@ class Inside {
     if (std::min(std::min(f[0][0], f[0][2]), std::min(f[2][0], f[2][2])) < margins_.nearer) return Verdict::closer;
     if (never_zero(k.by_s, margins_.by_s) || never_zero(k.by_t, margins_.by_t) || least(f) >= margins_.farther)
       return Verdict::apart;
-    if (!stationary_) return Verdict::open;
-    return stationary_->apart_for_t(t0, t1) || stationary_->apart_for_s(s0, s1) ? Verdict::apart : Verdict::open;
+    for (const auto& point : stationary_)
+      if (point && (point->apart_for_t(t0, t1) || point->apart_for_s(s0, s1))) return Verdict::apart;
+    return Verdict::open;
   }
 
   const Facet& quad_;
@@ -346,7 +364,7 @@ class Inside {
   double size_, bound_;
   const Margins& margins_;
   double length_s_, length_t_;
-  std::optional<Stationary> stationary_;
+  std::array<std::optional<Stationary>, 2> stationary_;
 };
 
 }  // namespace
