@@ -127,7 +127,7 @@ Verdict prove_quad(const Facet& facet, const Vector& query, double size, double 
   const precise::Differences corners{x, {query, query, query, query}};
   const Trial trial = first.trial;
   const bool tied = first.verdict == Verdict::tied;
-  if (tied && precise::separated_by_axis(corners, bound)) return Verdict::apart;
+  if (precise::separated_by_axis(corners, bound)) return Verdict::apart;
   std::optional<precise::Place> inside;
   if (tied && std::abs(trial.s) < 1 && std::abs(trial.t) < 1) {
     if (const Verdict verdict = precise::patch_verdict(corners, size, bound, trial.s, trial.t); settled(verdict))

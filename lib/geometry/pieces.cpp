@@ -129,16 +129,27 @@ class Edges {
     }
     return open ? Verdict::open : Verdict::apart;
   }
-  [[nodiscard]] std::size_t nearest() const {
-    const auto less = [](const NearestOnEdge& a, const NearestOnEdge& b) { return a.square < b.square; };
-    return static_cast<std::size_t>(std::min_element(edge_.begin(), edge_.end(), less) - edge_.begin());
-  }
 
  private:
   const Facet& quad_;
   const Margins& margin_;
   std::array<NearestOnEdge, 4> edge_;
 };
+
+bool separated_by_nearest_edge(const Facet& facet, const Vector& query, double size, double bound) {
+  const std::size_t corners = facet.triangle ? 3 : 4;
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double square = closest_point_on_line(facet.x[i], facet.x[(i + 1) % corners], query).squared_distance;
+    if (!(square < least)) continue;
+    least = square;
+    nearest = i;
+  }
+  const auto& x = facet.x;
+  const std::array<Vector, 4> all{x[0], x[1], x[2], x[corners - 1]};
+  return separated_by_edge(x[nearest], x[(nearest + 1) % corners], all, query, size, bound);
+}
 
 /// A point inside the patch at which the squared distance is stationary, to about 30 digits.
 class Stationary {
@@ -180,7 +191,7 @@ Stationary::Stationary(const Facet& quad, const Vector& query, double size, doub
   b_ = rounded(exact_b_);
   c_ = rounded(exact_c_);
   const Number squared_bound = two_product(bound, bound);
-  constexpr int steps = 8;
+  constexpr int steps = 12;
   evaluate(squared_bound);
   for (int step = 0; step < steps && !closer() && improve(); ++step) evaluate(squared_bound);
 }
@@ -206,7 +217,8 @@ void Stationary::evaluate(const Number& squared_bound) {
 /// products cancel to a millionth of a millionth: hence the cross product, and the steps from numbers of 106 bits.
 bool Stationary::improve() {
   const double area = a_at_t_.cross(b_at_s_).squaredNorm(), convex = area - twist_ * (2 * exact_st_.high + twist_);
-  const double twist = convex > 0 ? twist_ : 0, det = convex > 0 ? convex : area;
+  const bool thin = area < 1e-6 * exact_ss_.high * exact_tt_.high && !(std::abs(convex - area) <= 0.5 * area);
+  const double twist = convex > 0 && !thin ? twist_ : 0, det = convex > 0 && !thin ? convex : area;
   const Number st = exact_st_ + Number{twist, 0};
   const double ds = (st * exact_slope_t_ - exact_tt_ * exact_slope_s_).high / det;
   const double dt = (st * exact_slope_s_ - exact_ss_ * exact_slope_t_).high / det;
@@ -379,33 +391,22 @@ Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double
   Inside inside(quad, query, size, bound, margins, sides);
   if (place) inside.look(*place);
   if (const Verdict verdict = inside.of_all(all); verdict != Verdict::open) return verdict;
-  const auto& edge = ends[edges.nearest()];
-  if (!place && separated_by_edge(quad.x[edge[0]], quad.x[edge[1]], quad.x, query, size, bound)) return Verdict::apart;
+  if (!place && separated_by_nearest_edge(quad, query, size, bound)) return Verdict::apart;
   return inside.by_pieces(all);
 }
 
 Verdict triangle_edges_verdict(const Facet& triangle, const Vector& query, double size, double bound) {
   const auto& x = triangle.x;
-  std::size_t nearest = 0;
-  double least_square = std::numeric_limits<double>::infinity();
-  bool open = false;
+  bool open = false, edge = false;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector &a = x[i], &b = x[(i + 1) % 3];
     const Verdict verdict = edge_verdict(a, b, query, size, bound);
     if (verdict == Verdict::closer) return verdict;
     open = open || verdict != Verdict::apart;
-    const double square = closest_point_on_line(a, b, query).squared_distance;
-    if (square < least_square) {
-      least_square = square;
-      nearest = i;
-    }
+    edge = edge || a == b;
   }
   if (open) return Verdict::open;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (x[i] == x[(i + 1) % 3]) return Verdict::apart;  // the triangle is an edge
-  const std::array<Vector, 4> corners{x[0], x[1], x[2], x[2]};
-  return separated_by_edge(x[nearest], x[(nearest + 1) % 3], corners, query, size, bound) ? Verdict::apart
-                                                                                          : Verdict::open;
+  return edge || separated_by_nearest_edge(triangle, query, size, bound) ? Verdict::apart : Verdict::open;
 }
 
 }  // namespace gapcheck::geometry::precise

@@ -36,7 +36,10 @@ CheckedPoint cross(const CheckedPoint& a, const CheckedPoint& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-Verdict verdict_of(const Checked& excess) {
+/// square / scale less than the square of the bound? No bound is as small as the distance 0.
+Verdict verdict_of(const Checked& square, const Checked& scale, double bound) {
+  if (square.exact && square.value == 0) return Verdict::closer;
+  const Checked reach{bound, true}, excess = square - reach * reach * scale;
   if (!excess.exact) return Verdict::open;
   return excess.value < 0 ? Verdict::closer : Verdict::apart;
 }
@@ -44,19 +47,12 @@ Verdict verdict_of(const Checked& excess) {
 /// The edge from `a` to `b` = a + along in doubles that turn out to be exact.
 Verdict verdict_without_rounding(const Point& a, const Point& b, const Point& along, double bound) {
   const CheckedPoint p(a), q(b), d(along);
-  const Checked reach{bound, true}, squared_bound = reach * reach;
-  const Checked at_a = dot(p, d), at_b = dot(q, d);
+  const Checked at_a = dot(p, d), at_b = dot(q, d), one{1, true};
   if (!at_a.exact || !at_b.exact) return Verdict::open;
-  if (at_a.value >= 0) return verdict_of(dot(p, p) - squared_bound);
-  if (at_b.value <= 0) return verdict_of(dot(q, q) - squared_bound);
+  if (at_a.value >= 0) return verdict_of(dot(p, p), one, bound);
+  if (at_b.value <= 0) return verdict_of(dot(q, q), one, bound);
   const CheckedPoint n = cross(p, d);
-  return verdict_of(dot(n, n) - squared_bound * dot(d, d));
-}
-
-Verdict corner_without_rounding(const Point& a, double bound) {
-  const CheckedPoint p(a);
-  const Checked reach{bound, true};
-  return verdict_of(dot(p, p) - reach * reach);
+  return verdict_of(dot(n, n), dot(d, d), bound);
 }
 
 /// The parameter of the point of a + x d nearest to the origin, in doubles.
@@ -101,36 +97,48 @@ Verdict corner_verdict(const Vector& a, const Vector& query, double size, double
   const Point w = difference(a, query);
   const Beside beside(w, size, two_product(bound, bound));
   if (beside.closer()) return Verdict::closer;
-  return beside.apart(0) ? Verdict::apart : corner_without_rounding(w, bound);
+  if (beside.apart(0)) return Verdict::apart;
+  const CheckedPoint p(w);
+  return verdict_of(dot(p, p), {1, true}, bound);
 }
 
 bool separated_by_edge(const Vector& a, const Vector& b, const std::array<Vector, 4>& corners, const Vector& query,
                        double size, double bound) {
   constexpr int steps = 2;
-  // From the end that is nearer: the other would bring errors of its own size.
-  const bool from_b = (b - query).squaredNorm() < (a - query).squaredNorm();
-  const Point from = difference(from_b ? b : a, query), along = from_b ? difference(a, b) : difference(b, a);
+  const Point from = difference(a, query), along = difference(b, a);
   const Vector d = rounded(along);
   const double length = d.squaredNorm();
   Parameter x = nearest_parameter(rounded(from), d);
-  Point w = from + x.value * along;
-  for (int step = 0; step < steps; ++step) {
-    const double slope = dot(w, along).high, move = -slope / length;
-    if (!(std::abs(move) <= 1) || x.held(slope)) break;
+  const auto place = [&] {
+    return x.at_least() ? from : x.at_greatest() ? difference(b, query) : from + x.value * along;
+  };
+  Point w = place();
+  double slope = dot(w, along).high;
+  for (int step = 0; step < steps && !x.held(slope); ++step) {
+    const double move = -slope / length;
+    if (!(std::abs(move) <= 1)) return false;
     x.move(move);
-    w = from + x.value * along;
+    w = place();
+    slope = dot(w, along).high;
   }
+  const bool at_end = x.at_least() || x.at_greatest();
+  if (at_end && !x.held(slope)) return false;
   constexpr double squared_roundoff = roundoff * roundoff;
-  const Number ww = square(w);
-  if (!(ww.high >= 1e-40 * size * size)) return false;
-  const double error = 32 * squared_roundoff * size * rounded(w).lpNorm<1>();
+  const double reach = rounded(w).lpNorm<1>();
+  const Vector& end = x.at_greatest() ? b : a;
+  double fall = 0;
   for (const Vector& corner : corners) {
-    const Number height = dot(difference(corner, query), w) + Number{-error, 0};
-    if (!(height.high > 0)) return false;
-    const Number square = height * height, reach = two_product(bound, bound) * ww;
-    if (!((square - reach).high > 256 * squared_roundoff * (square.high + reach.high))) return false;
+    if (corner == end || (!at_end && corner == b)) continue;
+    const Point side = difference(corner, end);
+    const double rise = dot(w, side).high, along_edge = at_end ? 0 : slope * (d.dot(rounded(side)) / length);
+    const double error = 16 * roundoff * (std::abs(rise) + std::abs(along_edge)) +
+                         64 * squared_roundoff * reach * rounded(side).lpNorm<1>();
+    fall = std::max(fall, error - (rise - along_edge));
   }
-  return true;
+  // Between the ends the whole line must be apart.
+  const double line = at_end ? 0 : 1.001 * slope * slope / length;
+  const double rounding = 0x1p20 * squared_roundoff * squared_roundoff * size * size;
+  return Beside(w, size, two_product(bound, bound)).apart(4.004 * fall + line + rounding);
 }
 
 }  // namespace gapcheck::geometry::precise

@@ -14,8 +14,8 @@ namespace gapcheck::geometry::precise {
 /// The same for a point.
 [[nodiscard]] Verdict corner_verdict(const Vector& a, const Vector& query, double size, double bound);
 
-/// True if all corners surely lie behind a plane that is as far away as the bound or farther: the plane through the
-/// point of the edge from a to b nearest to the query, at right angles to the way there.
+/// True if the hull of an edge and some corners surely is nowhere nearer than the bound because its nearest point is
+/// that of the edge: seen along the edge, or from its nearest end, the corners lie beyond that point.
 [[nodiscard]] bool separated_by_edge(const Vector& a, const Vector& b, const std::array<Vector, 4>& corners,
                                      const Vector& query, double size, double bound);
 
