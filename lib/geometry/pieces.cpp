@@ -252,6 +252,37 @@ double Stationary::drop(const Vector& a, const Vector& other, double slope_a, do
   return (2.002 * (length_b * length_b * ga * ga + length_a * length_a * gb * gb) + 1e-290) / least_q;
 }
 
+/// A direction across the patch, r_t - g(s) r_s or r_s - g(t) r_t with a linear g: chosen at right angles to the mean
+/// of the other sides, since along a sliver both slopes are zero nearly at the same places.
+struct Across {
+  double first, last, margin;  ///< g at the ends of its range
+  Across(const Vector& side_first, const Vector& side_last, const Vector& other, double own_margin,
+         double other_margin) {
+    const double square = other.squaredNorm();
+    first = side_first.dot(other) / square;
+    last = side_last.dot(other) / square;
+    margin = 2 * (own_margin + std::max(std::abs(first), std::abs(last)) * other_margin);
+  }
+  /// The slope across is nowhere zero on a piece, where g goes from `from` to `to`. `own` and `other`: coefficients of
+  /// the slopes along both parameters, [power of the parameter of g][power of the other].
+  template <class Own, class Other>
+  [[nodiscard]] bool never_zero(double from, double to, const Own& own, const Other& other) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto raised = [&](std::size_t i) {
+        return j == 0 ? own(i, 0) : j == 2 ? own(i, 1) : 0.5 * (own(i, 0) + own(i, 1));
+      };
+      const double slopes[] = {raised(0) - from * other(0, j),
+                               raised(1) - 0.5 * (from * other(1, j) + to * other(0, j)), raised(2) - to * other(1, j)};
+      for (const double slope : slopes) {
+        low = std::min(low, slope);
+        high = std::max(high, slope);
+      }
+    }
+    return low > margin || high < -margin;
+  }
+};
+
 /// A part of the patch, its parameters in [-1, 1].
 struct Piece {
   Coefficients k;
@@ -321,7 +352,9 @@ class Inside {
         bound_(bound),
         margins_(margins),
         length_s_(d.low.lpNorm<1>() + d.high.lpNorm<1>()),
-        length_t_(d.left.lpNorm<1>() + d.right.lpNorm<1>()) {}
+        length_t_(d.left.lpNorm<1>() + d.right.lpNorm<1>()),
+        across_t_(d.left, d.right, d.low + d.high, margins.by_t, margins.by_s),
+        across_s_(d.low, d.high, d.left + d.right, margins.by_s, margins.by_t) {}
 
   /// Looks for a stationary point, beside the one found before.
   void look(const Place& start) {
@@ -360,12 +393,22 @@ class Inside {
     const auto place = stationary_near(Patch(seen_from(quad_, query_)), middle);
     look(place.value_or(middle));
   }
+  [[nodiscard]] bool no_slope_across(const Coefficients& k, double s0, double s1, double t0, double t1) const {
+    const auto at = [](const Across& g, double x) { return 0.5 * ((1 - x) * g.first + (1 + x) * g.last); };
+    const auto by_t = [&](std::size_t i, std::size_t j) { return k.by_t[i][j]; };
+    const auto by_s = [&](std::size_t i, std::size_t j) { return k.by_s[i][j]; };
+    if (across_t_.never_zero(at(across_t_, s0), at(across_t_, s1), by_t, by_s)) return true;
+    return across_s_.never_zero(
+        at(across_s_, t0), at(across_s_, t1), [&](std::size_t i, std::size_t j) { return by_s(j, i); },
+        [&](std::size_t i, std::size_t j) { return by_t(j, i); });
+  }
   [[nodiscard]] Verdict of_piece(const Piece& p) const { return of_piece(p.k, p.s0, p.s1, p.t0, p.t1); }
   [[nodiscard]] Verdict of_piece(const Coefficients& k, double s0, double s1, double t0, double t1) const {
     const auto& f = k.square;
     if (std::min(std::min(f[0][0], f[0][2]), std::min(f[2][0], f[2][2])) < margins_.nearer) return Verdict::closer;
     if (never_zero(k.by_s, margins_.by_s) || never_zero(k.by_t, margins_.by_t) || least(f) >= margins_.farther)
       return Verdict::apart;
+    if (no_slope_across(k, s0, s1, t0, t1)) return Verdict::apart;
     for (const auto& point : stationary_)
       if (point && (point->apart_for_t(t0, t1) || point->apart_for_s(s0, s1))) return Verdict::apart;
     return Verdict::open;
@@ -376,6 +419,7 @@ class Inside {
   double size_, bound_;
   const Margins& margins_;
   double length_s_, length_t_;
+  Across across_t_, across_s_;
   std::array<std::optional<Stationary>, 2> stationary_;
 };
 
@@ -389,9 +433,13 @@ Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double
   const Edges edges(quad, all, margins);
   if (const Verdict verdict = edges.verdict(query, size, bound); verdict != Verdict::apart) return verdict;
   Inside inside(quad, query, size, bound, margins, sides);
-  if (place) inside.look(*place);
   if (const Verdict verdict = inside.of_all(all); verdict != Verdict::open) return verdict;
-  if (!place && separated_by_nearest_edge(quad, query, size, bound)) return Verdict::apart;
+  if (place) {
+    inside.look(*place);
+    if (const Verdict verdict = inside.of_all(all); verdict != Verdict::open) return verdict;
+  } else if (separated_by_nearest_edge(quad, query, size, bound)) {
+    return Verdict::apart;
+  }
   return inside.by_pieces(all);
 }
 
