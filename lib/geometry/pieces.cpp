@@ -15,7 +15,7 @@ namespace gapcheck::geometry::precise {
 namespace {
 
 constexpr double squared_roundoff = roundoff * roundoff;
-constexpr int greatest_depth = 40, most_cuts = 64;
+constexpr int greatest_depth = 40;
 
 /// Coefficients in Bernstein form, over the patch or a piece of it: of the squared distance, and of half its
 /// derivatives, all as [power of s][power of t].
@@ -351,8 +351,8 @@ class Inside {
         size_(size),
         bound_(bound),
         margins_(margins),
-        length_s_(d.low.lpNorm<1>() + d.high.lpNorm<1>()),
-        length_t_(d.left.lpNorm<1>() + d.right.lpNorm<1>()),
+        length_s_(share(d.low, d.high, d.left + d.right)),
+        length_t_(share(d.left, d.right, d.low + d.high)),
         across_t_(d.left, d.right, d.low + d.high, margins.by_t, margins.by_s),
         across_s_(d.low, d.high, d.left + d.right, margins.by_s, margins.by_t) {}
 
@@ -365,14 +365,15 @@ class Inside {
     if (stationary_[0] && stationary_[0]->closer()) return Verdict::closer;
     return of_piece(all, -1, 1, -1, 1);
   }
-  [[nodiscard]] Verdict by_pieces(const Coefficients& all) {
+  /// Open after so many cuts. `looking`: for stationary points in open pieces.
+  [[nodiscard]] Verdict by_pieces(const Coefficients& all, int most_cuts, bool looking) {
     std::array<Piece, greatest_depth + 2> stack;
     std::size_t waiting = 0;
     stack[waiting++].k = all;
     for (int cuts = 1; waiting > 0; ++cuts) {
       const Piece whole = stack[--waiting];
       if (cuts > most_cuts || whole.depth == greatest_depth) return Verdict::open;
-      if (cuts == 4 || cuts == 12 || cuts == 28) look_in(whole);
+      if (looking && (cuts == 2 || cuts == 12 || cuts == 28)) look_in(whole);
       if (stationary_[0] && stationary_[0]->closer()) return Verdict::closer;
       Piece &first = stack[waiting], &last = stack[waiting + 1];
       if ((whole.s1 - whole.s0) * length_s_ >= (whole.t1 - whole.t0) * length_t_)
@@ -388,6 +389,12 @@ class Inside {
   }
 
  private:
+  /// Length to decide which side of a piece is cut. Of slivers, whose short sides may be oblique, the long one first.
+  static double share(const Vector& first, const Vector& last, const Vector& other) {
+    const double own = first.lpNorm<1>() + last.lpNorm<1>();
+    return own < 0.5 * other.lpNorm<1>() && (first + last).cross(other).norm() < 1e-3 * other.squaredNorm() ? own / 16
+                                                                                                            : own;
+  }
   void look_in(const Piece& p) {
     const Place middle{0.5 * (p.s0 + p.s1), 0.5 * (p.t0 + p.t1)};
     const auto place = stationary_near(Patch(seen_from(quad_, query_)), middle);
@@ -437,10 +444,15 @@ Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double
   if (place) {
     inside.look(*place);
     if (const Verdict verdict = inside.of_all(all); verdict != Verdict::open) return verdict;
-  } else if (separated_by_nearest_edge(quad, query, size, bound)) {
-    return Verdict::apart;
+  } else {
+    constexpr int few = 6;
+    const double thin = 1e-6 * (sides.low + sides.high).squaredNorm() * (sides.left + sides.right).squaredNorm();
+    if (quad_normal(quad.x).squaredNorm() > thin)
+      if (const Verdict verdict = inside.by_pieces(all, few, false); verdict != Verdict::open) return verdict;
+    if (separated_by_nearest_edge(quad, query, size, bound)) return Verdict::apart;
   }
-  return inside.by_pieces(all);
+  // Near the query squares are too small for pieces in doubles.
+  return inside.by_pieces(all, bound > 1e-6 * size ? 48 : 16, true);
 }
 
 Verdict triangle_edges_verdict(const Facet& triangle, const Vector& query, double size, double bound) {

@@ -74,6 +74,7 @@ double drop_along(const Parameter& x, double slope, const Vector& w, const Vecto
 
 Verdict edge_verdict(const Vector& a, const Vector& b, const Vector& query, double size, double bound) {
   constexpr int steps = 2;
+  if (a == query || b == query) return Verdict::closer;
   const Point from = difference(a, query), to = difference(b, query), along = difference(b, a);
   const Vector d = rounded(along);
   const Number squared_bound = two_product(bound, bound);
