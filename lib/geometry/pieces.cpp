@@ -7,80 +7,15 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/patch_polynomials.hpp"
 #include "geometry/precise_edge.hpp"
-#include "geometry/precise_point.hpp"
+#include "geometry/stationary_point.hpp"
 #include "geometry/view.hpp"
 
 namespace gapcheck::geometry::precise {
 namespace {
 
-constexpr double squared_roundoff = roundoff * roundoff;
 constexpr int greatest_depth = 40;
-
-/// Coefficients in Bernstein form, over the patch or a piece of it: of the squared distance, and of half its
-/// derivatives, all as [power of s][power of t].
-struct Coefficients {
-  std::array<std::array<double, 3>, 3> square;
-  std::array<std::array<double, 3>, 2> by_s;
-  std::array<std::array<double, 2>, 3> by_t;
-};
-
-/// The sides of a quad as differences of its own corners: their errors are relative to themselves.
-struct Sides {
-  Vector low, high, left, right;
-  explicit Sides(const Facet& quad)
-      : low(quad.x[1] - quad.x[0]),
-        high(quad.x[2] - quad.x[3]),
-        left(quad.x[3] - quad.x[0]),
-        right(quad.x[2] - quad.x[1]) {}
-};
-
-Coefficients coefficients(const Corners& e, const Sides& d) {
-  const auto mean = [](double a, double b) { return 0.5 * (a + b); };
-  Coefficients k;
-  k.square = {{{e[0].squaredNorm(), e[0].dot(e[3]), e[3].squaredNorm()},
-               {e[0].dot(e[1]), mean(e[0].dot(e[2]), e[1].dot(e[3])), e[3].dot(e[2])},
-               {e[1].squaredNorm(), e[1].dot(e[2]), e[2].squaredNorm()}}};
-  k.by_s = {{{e[0].dot(d.low), mean(e[0].dot(d.high), e[3].dot(d.low)), e[3].dot(d.high)},
-             {e[1].dot(d.low), mean(e[1].dot(d.high), e[2].dot(d.low)), e[2].dot(d.high)}}};
-  k.by_t = {{{e[0].dot(d.left), e[3].dot(d.left)},
-             {mean(e[0].dot(d.right), e[1].dot(d.left)), mean(e[3].dot(d.right), e[2].dot(d.left))},
-             {e[1].dot(d.right), e[2].dot(d.right)}}};
-  return k;
-}
-
-/// What the coefficients must exceed. Their errors, halvings included, are below 512 roundoffs of their size.
-struct Margins {
-  double nearer, farther, by_s, by_t;
-
-  Margins(double size, double bound, const Sides& d) {
-    const double error = 512 * roundoff * size;
-    nearer = bound * bound * (1 - 8 * roundoff) - error * size;
-    farther = bound * bound * (1 + 8 * roundoff) + error * size;
-    by_s = error * std::max(d.low.lpNorm<1>(), d.high.lpNorm<1>()) + 1e-290;
-    by_t = error * std::max(d.left.lpNorm<1>(), d.right.lpNorm<1>()) + 1e-290;
-  }
-};
-
-template <class Table>
-double least(const Table& k) {
-  double out = std::numeric_limits<double>::infinity();
-  for (const auto& row : k)
-    for (const double value : row) out = std::min(out, value);
-  return out;
-}
-template <class Table>
-double greatest(const Table& k) {
-  double out = -std::numeric_limits<double>::infinity();
-  for (const auto& row : k)
-    for (const double value : row) out = std::max(out, value);
-  return out;
-}
-/// The derivative is nowhere zero.
-template <class Table>
-bool never_zero(const Table& k, double margin) {
-  return least(k) > margin || greatest(k) < -margin;
-}
 
 /// The point of one edge nearest to the query, in doubles.
 struct NearestOnEdge {
@@ -149,196 +84,6 @@ bool separated_by_nearest_edge(const Facet& facet, const Vector& query, double s
   const auto& x = facet.x;
   const std::array<Vector, 4> all{x[0], x[1], x[2], x[corners - 1]};
   return separated_by_edge(x[nearest], x[(nearest + 1) % corners], all, query, size, bound);
-}
-
-/// A point inside the patch at which the squared distance is stationary, to about 30 digits.
-class Stationary {
- public:
-  Stationary(const Facet& quad, const Vector& query, double size, double bound, const Place& start);
-  [[nodiscard]] bool closer() const { return beside_.closer(); }
-  /// Nothing on the patch between two values of t is nearer than the bound.
-  [[nodiscard]] bool apart_for_t(double t0, double t1) const {
-    return beside_.apart(drop(a_, b_at_s_, slope_s_, slope_t_, t0, t1));
-  }
-  [[nodiscard]] bool apart_for_s(double s0, double s1) const {
-    return beside_.apart(drop(b_, a_at_t_, slope_t_, slope_s_, s0, s1));
-  }
-
- private:
-  void evaluate(const Number& squared_bound);
-  bool improve();
-  [[nodiscard]] double drop(const Vector& a, const Vector& other, double slope_a, double slope_other, double from,
-                            double to) const;
-
-  Point exact_m_, exact_a_, exact_b_, exact_c_;
-  Number exact_slope_s_, exact_slope_t_, exact_ss_, exact_st_, exact_tt_;
-  Vector a_, b_, c_, a_at_t_, b_at_s_, w_;
-  Parameter s_, t_;
-  double size_, slope_s_ = 0, slope_t_ = 0, twist_ = 0, last_move_ = 1;
-  Beside beside_;
-};
-
-Stationary::Stationary(const Facet& quad, const Vector& query, double size, double bound, const Place& start)
-    : s_{{start.s, 0}, -1, 1}, t_{{start.t, 0}, -1, 1}, size_(size) {
-  const Point e0 = difference(quad.x[0], query), e1 = difference(quad.x[1], query), e2 = difference(quad.x[2], query),
-              e3 = difference(quad.x[3], query);
-  const Point low = e0 + e1, high = e3 + e2, right = e1 - e0, left = e2 - e3;
-  exact_m_ = quarter(low + high);
-  exact_a_ = quarter(right + left);
-  exact_b_ = quarter(high - low);
-  exact_c_ = quarter(left - right);
-  a_ = rounded(exact_a_);
-  b_ = rounded(exact_b_);
-  c_ = rounded(exact_c_);
-  const Number squared_bound = two_product(bound, bound);
-  constexpr int steps = 12;
-  evaluate(squared_bound);
-  for (int step = 0; step < steps && !closer() && improve(); ++step) evaluate(squared_bound);
-}
-
-void Stationary::evaluate(const Number& squared_bound) {
-  const Point along_s = exact_a_ + t_.value * exact_c_, along_t = exact_b_ + s_.value * exact_c_;
-  const Point w = (exact_m_ + t_.value * exact_b_) + s_.value * along_s;
-  w_ = rounded(w);
-  a_at_t_ = rounded(along_s);
-  b_at_s_ = rounded(along_t);
-  exact_slope_s_ = dot(w, along_s);
-  exact_slope_t_ = dot(w, along_t);
-  slope_s_ = exact_slope_s_.high;
-  slope_t_ = exact_slope_t_.high;
-  twist_ = dot(w, exact_c_).high;
-  exact_ss_ = square(along_s);
-  exact_st_ = dot(along_s, along_t);
-  exact_tt_ = square(along_t);
-  beside_ = Beside(w, size_, squared_bound);
-}
-
-/// One step of Newton's method; without the twist (Gauss and Newton) where the square is not convex. On slivers
-/// products cancel to a millionth of a millionth: hence the cross product, and the steps from numbers of 106 bits.
-bool Stationary::improve() {
-  const double area = a_at_t_.cross(b_at_s_).squaredNorm(), convex = area - twist_ * (2 * exact_st_.high + twist_);
-  const bool thin = area < 1e-6 * exact_ss_.high * exact_tt_.high && !(std::abs(convex - area) <= 0.5 * area);
-  const double twist = convex > 0 && !thin ? twist_ : 0, det = convex > 0 && !thin ? convex : area;
-  const Number st = exact_st_ + Number{twist, 0};
-  const double ds = (st * exact_slope_t_ - exact_tt_ * exact_slope_s_).high / det;
-  const double dt = (st * exact_slope_s_ - exact_ss_ * exact_slope_t_).high / det;
-  const double moved = std::abs(ds) + std::abs(dt);
-  if (!(moved <= 4) || last_move_ < 1e-12) return false;
-  last_move_ = moved;
-  s_.move(ds);
-  t_.move(dt);
-  return true;
-}
-
-/// Upper bound of how much smaller than here the squared distance gets anywhere between two values of the parameter
-/// along `other`, whose derivative here is `other`; the derivative along the other parameter is a + value c.
-double Stationary::drop(const Vector& a, const Vector& other, double slope_a, double slope_other, double from,
-                        double to) const {
-  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  const double length_c = c_.norm(), length_a = a.norm() + length_c, length_b = other.norm() + length_c;
-  const Vector here = a + middle * c_, n = here.cross(other), turn = c_.cross(other);
-  const double q0 = n.squaredNorm() - twist_ * (2 * here.dot(other) + twist_);
-  const double swing = 2 * half * std::abs(n.dot(turn) - twist_ * c_.dot(other));
-  const double curve = half * half * turn.squaredNorm();
-  const double product = length_a * length_b, rounding = squared_roundoff * size_;
-  const double error_n = 32 * roundoff * product + 128 * rounding * (length_a + length_b);
-  const double error_twist = 4 * roundoff * std::abs(twist_) + 1024 * rounding * (w_.norm() + length_c);
-  const double error = 5 * error_n * (n.norm() + half * turn.norm()) + 2.1 * product * error_twist +
-                       8 * std::abs(twist_) * (error_n + error_twist) + 2 * error_twist * error_twist;
-  const double least_q = (swing >= 2 * curve ? q0 + curve - swing : q0 - 0.5 * swing) - error;
-  if (!(least_q > 1e-250)) return std::numeric_limits<double>::infinity();
-  const double ga = std::abs(slope_a) + 1024 * rounding * (w_.norm() + length_a),
-               gb = std::abs(slope_other) + 1024 * rounding * (w_.norm() + length_b);
-  return (2.002 * (length_b * length_b * ga * ga + length_a * length_a * gb * gb) + 1e-290) / least_q;
-}
-
-/// A direction across the patch, r_t - g(s) r_s or r_s - g(t) r_t with a linear g: chosen at right angles to the mean
-/// of the other sides, since along a sliver both slopes are zero nearly at the same places.
-struct Across {
-  double first, last, margin;  ///< g at the ends of its range
-  Across(const Vector& side_first, const Vector& side_last, const Vector& other, double own_margin,
-         double other_margin) {
-    const double square = other.squaredNorm();
-    first = side_first.dot(other) / square;
-    last = side_last.dot(other) / square;
-    margin = 2 * (own_margin + std::max(std::abs(first), std::abs(last)) * other_margin);
-  }
-  /// The slope across is nowhere zero on a piece, where g goes from `from` to `to`. `own` and `other`: coefficients of
-  /// the slopes along both parameters, [power of the parameter of g][power of the other].
-  template <class Own, class Other>
-  [[nodiscard]] bool never_zero(double from, double to, const Own& own, const Other& other) const {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const auto raised = [&](std::size_t i) {
-        return j == 0 ? own(i, 0) : j == 2 ? own(i, 1) : 0.5 * (own(i, 0) + own(i, 1));
-      };
-      const double slopes[] = {raised(0) - from * other(0, j),
-                               raised(1) - 0.5 * (from * other(1, j) + to * other(0, j)), raised(2) - to * other(1, j)};
-      for (const double slope : slopes) {
-        low = std::min(low, slope);
-        high = std::max(high, slope);
-      }
-    }
-    return low > margin || high < -margin;
-  }
-};
-
-/// A part of the patch, its parameters in [-1, 1].
-struct Piece {
-  Coefficients k;
-  double s0 = -1, s1 = 1, t0 = -1, t1 = 1;
-  int depth = 0;
-};
-
-/// The halves of a piece, cut at a value of s.
-void cut_s(const Piece& piece, Piece& first, Piece& last) {
-  first = last = piece;
-  ++first.depth, ++last.depth;
-  first.s1 = last.s0 = 0.5 * (piece.s0 + piece.s1);
-  const auto cut = [](const auto& k, auto& low, auto& high, std::size_t j) {
-    const double before = 0.5 * (k[0][j] + k[1][j]), after = 0.5 * (k[1][j] + k[2][j]);
-    low[1][j] = before;
-    high[1][j] = after;
-    low[2][j] = high[0][j] = 0.5 * (before + after);
-  };
-  for (std::size_t j = 0; j < 3; ++j) cut(piece.k.square, first.k.square, last.k.square, j);
-  for (std::size_t j = 0; j < 2; ++j) cut(piece.k.by_t, first.k.by_t, last.k.by_t, j);
-  for (std::size_t j = 0; j < 3; ++j)
-    first.k.by_s[1][j] = last.k.by_s[0][j] = 0.5 * (piece.k.by_s[0][j] + piece.k.by_s[1][j]);
-}
-
-/// The same at a value of t.
-void cut_t(const Piece& piece, Piece& first, Piece& last) {
-  first = last = piece;
-  ++first.depth, ++last.depth;
-  first.t1 = last.t0 = 0.5 * (piece.t0 + piece.t1);
-  const auto cut = [](const auto& k, auto& low, auto& high) {
-    const double before = 0.5 * (k[0] + k[1]), after = 0.5 * (k[1] + k[2]);
-    low[1] = before;
-    high[1] = after;
-    low[2] = high[0] = 0.5 * (before + after);
-  };
-  for (std::size_t i = 0; i < 3; ++i) cut(piece.k.square[i], first.k.square[i], last.k.square[i]);
-  for (std::size_t i = 0; i < 2; ++i) cut(piece.k.by_s[i], first.k.by_s[i], last.k.by_s[i]);
-  for (std::size_t i = 0; i < 3; ++i)
-    first.k.by_t[i][1] = last.k.by_t[i][0] = 0.5 * (piece.k.by_t[i][0] + piece.k.by_t[i][1]);
-}
-
-/// Newton's method for a stationary point of the squared distance, in doubles.
-std::optional<Place> stationary_near(const Patch& p, Place at) {
-  for (int step = 0; step < 10; ++step) {
-    const Vector along_s = p.along_s(at.t), along_t = p.along_t(at.s), w = p.m + at.t * p.b + at.s * along_s;
-    const double gs = w.dot(along_s), gt = w.dot(along_t), ss = along_s.squaredNorm(), tt = along_t.squaredNorm();
-    const double mixed = along_s.dot(along_t), twist = w.dot(p.c), st = mixed + twist;
-    const double det = ss * tt - st * st;
-    if (!(det > 1e-6 * ss * tt)) return std::nullopt;
-    const double ds = (st * gt - tt * gs) / det, dt = (st * gs - ss * gt) / det, moved = std::abs(ds) + std::abs(dt);
-    if (!(moved < 2)) return std::nullopt;
-    at = {at.s + ds, at.t + dt};
-    if (!(std::abs(at.s) < 1.5 && std::abs(at.t) < 1.5)) return std::nullopt;
-    if (moved < 1e-9) return std::abs(at.s) < 1 && std::abs(at.t) < 1 ? std::optional(at) : std::nullopt;
-  }
-  return std::nullopt;
 }
 
 /// The inside of a patch whose edges are apart: its nearest point lies on a piece with a stationary point, or is apart
@@ -430,6 +175,14 @@ class Inside {
   std::array<std::optional<Stationary>, 2> stationary_;
 };
 
+/// Then pieces settle more than the plane by the nearest edge.
+bool warped_and_wide(const Facet& quad, const Sides& d) {
+  const Vector n = quad_normal(quad.x), along_s = d.low + d.high, along_t = d.left + d.right;
+  const double area = n.squaredNorm(), warp = n.dot(d.low);
+  return area > 1e-6 * along_s.squaredNorm() * along_t.squaredNorm() &&
+         warp * warp > 1e-8 * area * (along_s.squaredNorm() + along_t.squaredNorm());
+}
+
 }  // namespace
 
 Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double bound,
@@ -446,8 +199,7 @@ Verdict quad_verdict(const Facet& quad, const Vector& query, double size, double
     if (const Verdict verdict = inside.of_all(all); verdict != Verdict::open) return verdict;
   } else {
     constexpr int few = 6;
-    const double thin = 1e-6 * (sides.low + sides.high).squaredNorm() * (sides.left + sides.right).squaredNorm();
-    if (quad_normal(quad.x).squaredNorm() > thin)
+    if (warped_and_wide(quad, sides))
       if (const Verdict verdict = inside.by_pieces(all, few, false); verdict != Verdict::open) return verdict;
     if (separated_by_nearest_edge(quad, query, size, bound)) return Verdict::apart;
   }

@@ -80,7 +80,7 @@ TEST(PiecesOfSaddle, OnlyTheTieStaysOpen) {
   EXPECT_EQ(verdict(0.75, precise::Place{0, 0}), Verdict::open);
   EXPECT_EQ(verdict(0.7, std::nullopt), Verdict::apart);
   EXPECT_EQ(verdict(0.8, std::nullopt), Verdict::closer);
-  EXPECT_EQ(verdict(std::nextafter(0.75, 0), std::nullopt), Verdict::open) << "doubles alone cannot tell";
+  EXPECT_EQ(verdict(std::nextafter(0.75, 0), std::nullopt), Verdict::apart) << "it is found in an open piece";
 }
 
 /// Where the nearest point lies beyond an edge, a slope of one sign settles the inside.
