@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/pair_kernel.hpp"
+#include "geometry/batch/pair_kernel.hpp"
 
 namespace gapcheck::bench {
 namespace {
