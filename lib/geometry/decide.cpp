@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "geometry/certificate.hpp"
 #include "geometry/exact.hpp"
 #include "geometry/exact_quick.hpp"
+#include "geometry/pieces.hpp"
 #include "geometry/precise.hpp"
 #include "geometry/view.hpp"
 
@@ -32,10 +34,7 @@ Corners piece_corners(const Corners& e, const Piece& p) {
   return {at(p.s0, p.t0), at(p.s1, p.t0), at(p.s1, p.t1), at(p.s0, p.t1)};
 }
 
-struct Limits {
-  int depth, pieces;
-};
-constexpr Limits floating_limits{48, 256}, exact_limits{96, 4096};
+constexpr int greatest_depth = 96, most_pieces = 4096;
 
 /// The two halves of a piece of a patch, cut across its longer side; the same piece twice at the limit of doubles.
 std::array<Piece, 2> halves(const Piece& piece, const Patch& patch) {
@@ -52,26 +51,26 @@ std::array<Piece, 2> halves(const Piece& piece, const Patch& patch) {
 bool too_small(const Piece& piece) { return !(piece.s0 < piece.s1 && piece.t0 < piece.t1); }
 
 /// Proves a patch piece by piece: pieces that stay open are halved. Returns `closer` as soon as one piece is, `apart`
-/// if all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece; its `tied` ends the search.
+/// if all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece.
 template <class Prove>
-Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
+Verdict subdivide(const Corners& e, const Prove& prove) {
   struct Task {
     Piece piece;
     int depth;
   };
   const Patch patch(e);
-  std::array<Task, exact_limits.depth + 2> stack;
+  std::array<Task, greatest_depth + 2> stack;
   std::size_t waiting = 0;
   stack[waiting++] = {Piece{}, 0};
   bool stuck = false;
   for (int pieces = 0; waiting > 0; ++pieces) {
-    if (pieces == limits.pieces) return Verdict::open;
+    if (pieces == most_pieces) return Verdict::open;
     const auto [piece, depth] = stack[--waiting];
     const Verdict verdict = prove(piece, piece_corners(e, piece));
-    if (verdict == Verdict::closer || verdict == Verdict::tied) return verdict;
+    if (verdict == Verdict::closer) return verdict;
     if (verdict == Verdict::apart) continue;
     const std::array<Piece, 2> parts = halves(piece, patch);
-    if (depth == limits.depth || too_small(parts[0]) || too_small(parts[1])) {
+    if (depth == greatest_depth || too_small(parts[0]) || too_small(parts[1])) {
       stuck = true;
       continue;
     }
@@ -105,33 +104,52 @@ Filtered filter(const Certificate& certificate, const Corners& e, bool triangle,
   return at(nearest.s, nearest.t);
 }
 
-/// With about 106 bits, from the given point on.
-Verdict prove_precisely(const Facet& facet, const Vector& query, double size, double bound, const Trial& trial) {
+Verdict prove_triangle(const Facet& facet, const Vector& query, double size, double bound, const Trial& trial) {
   const auto& x = facet.x;
-  const precise::Differences corners{{x[0], x[1], x[2], x[facet.triangle ? 2 : 3]}, {query, query, query, query}};
+  const precise::Differences corners{{x[0], x[1], x[2], x[2]}, {query, query, query, query}};
   if (precise::separated_by_axis(corners, bound)) return Verdict::apart;
-  return facet.triangle ? precise::triangle_verdict(corners, size, bound, trial.s, trial.t)
-                        : precise::patch_verdict(corners, size, bound, trial.s, trial.t);
+  const Verdict verdict = precise::triangle_verdict(corners, size, bound, trial.s, trial.t);
+  return settled(verdict) ? verdict : precise::triangle_edges_verdict(facet, query, size, bound);
 }
 
-Verdict enclose(const Certificate& certificate, const Corners& e) {
-  return subdivide(e, floating_limits, [&](const Piece&, const Corners& corners) {
-    const Trial trial = trial_on_patch(corners);
-    return certificate.at(corners, trial.s, trial.t, false);
-  });
+/// The triangle that a quad with two equal neighbours is.
+std::optional<Facet> as_triangle(const Facet& quad) {
+  const auto& x = quad.x;
+  if (x[0] == x[1]) return Facet{{x[0], x[2], x[3], x[3]}, true};
+  if (x[1] == x[2]) return Facet{{x[0], x[1], x[3], x[3]}, true};
+  if (x[2] == x[3] || x[3] == x[0]) return Facet{{x[0], x[1], x[2], x[2]}, true};
+  return std::nullopt;
 }
 
-/// What the filter left open: pieces of warped quads, and more digits for what lies at the bound.
-Verdict prove_further(const Certificate& certificate, const Facet& facet, const Vector& query, double bound,
-                      const Filtered& first) {
-  Verdict verdict = first.verdict;
-  if (facet.triangle || verdict == Verdict::tied) {
-    verdict = prove_precisely(facet, query, certificate.size(), bound, first.trial);
-    if (facet.triangle || settled(verdict)) return verdict;
+/// The patch first near the point tried last, if that is inside and at the bound, then its edges and pieces.
+Verdict prove_quad(const Facet& facet, const Vector& query, double size, double bound, const Filtered& first) {
+  const auto& x = facet.x;
+  const precise::Differences corners{x, {query, query, query, query}};
+  const Trial trial = first.trial;
+  const bool tied = first.verdict == Verdict::tied;
+  if (precise::separated_by_axis(corners, bound)) return Verdict::apart;
+  std::optional<precise::Place> inside;
+  constexpr double border = 1 - 1e-9;
+  if (tied && std::abs(trial.s) < border && std::abs(trial.t) < border) {
+    if (const Verdict verdict = precise::patch_verdict(corners, size, bound, trial.s, trial.t); settled(verdict))
+      return verdict;
+    inside = precise::Place{trial.s, trial.t};
   }
-  const Corners e = seen_from(facet, query);
-  verdict = enclose(certificate, e);
-  return settled(verdict) ? verdict : prove_precisely(facet, query, certificate.size(), bound, trial_on_patch(e));
+  const Verdict verdict = precise::quad_verdict(facet, query, size, bound, inside);
+  if (settled(verdict) || inside) return verdict;
+  const Trial other = trial_on_patch(seen_from(facet, query));
+  return precise::quad_verdict(facet, query, size, bound, precise::Place{other.s, other.t});
+}
+
+/// What the filter left open: more digits for what lies at the bound, and pieces of quads.
+Verdict prove_further(double size, const Facet& facet, const Vector& query, double bound, const Filtered& first) {
+  if (!all_finite(facet, query)) return Verdict::open;
+  if (facet.triangle) return prove_triangle(facet, query, size, bound, first.trial);
+  if (const auto triangle = as_triangle(facet)) {
+    const Location nearest = locate_on_triangle(seen_from(*triangle, query));
+    return prove_triangle(*triangle, query, size, bound, {nearest.s, nearest.t});
+  }
+  return prove_quad(facet, query, size, bound, first);
 }
 
 /// In exact numbers; `filtered` uses doubles first wherever they are certain.
@@ -146,7 +164,7 @@ Decision decide_exactly(const Facet& facet, const Vector& query, double bound, M
     return {closer, Stage::exact};
   }
   const Corners e = scaled_view(facet, query).corners;
-  const Verdict verdict = subdivide(e, exact_limits, [&](const Piece& piece, const Corners& corners) {
+  const Verdict verdict = subdivide(e, [&](const Piece& piece, const Corners& corners) {
     const Trial trial = trial_on_patch(corners);
     return exact::piece_verdict(facet, query, bound, piece, trial.s, trial.t);
   });
@@ -176,7 +194,7 @@ Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode
       const Certificate certificate(size, bound);
       const Filtered first = filter(certificate, e, facet.triangle, hint, near);
       if (settled(first.verdict)) return {first.verdict == Verdict::closer, Stage::filter};
-      if (const Verdict second = prove_further(certificate, facet, query, bound, first); settled(second))
+      if (const Verdict second = prove_further(size, facet, query, bound, first); settled(second))
         return {second == Verdict::closer, Stage::interval};
     }
   }

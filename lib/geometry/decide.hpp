@@ -32,7 +32,7 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times = 1);
                               const ClosestPoint* hint = nullptr);
 
 /// Is the facet nearer to the query than `bound`: squared distance < bound², decided exactly for the given doubles?
-/// Negative bounds are never met. Quads: exact on the bilinear patch as far as the enclosure reaches; open cases are
+/// Negative bounds are never met. Quads: exact on the bilinear patch as far as pieces of it reach; open cases are
 /// decided on the triangulation documented in docs/theory/decisions.md and counted. Mode::exact leaves the filter out
 /// (slow twin, same answers). `hint` may carry closest_point() of the same pair to save its work.
 [[nodiscard]] bool closer_than(const Facet& facet, const Vector& query, double bound, Mode mode,

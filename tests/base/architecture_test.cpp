@@ -39,6 +39,7 @@ const std::map<std::string, Order> floors{
     {"keyword", {{"text", {}}, {"top", {"text"}}}},
     {"model",
      {{"entity", {}}, {"contact", {"entity"}}, {"top", {"contact"}}, {"read", {"top"}}, {"material", {"read"}}}},
+    {"geometry", {{"top", {}}, {"batch", {"top"}}}},
     {"contact",
      {{"definition", {}},
       {"mesh", {"definition"}},

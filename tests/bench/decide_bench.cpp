@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "decision_pairs.hpp"
+#include "geometry/batch/pair_batch.hpp"
 #include "geometry/decide.hpp"
-#include "geometry/pair_batch.hpp"
 #include "plain_decision.hpp"
 
 namespace {

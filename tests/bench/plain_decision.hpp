@@ -2,8 +2,8 @@
 #include <cstdint>
 
 #include "decision_pairs.hpp"
-#include "geometry/pair_arrays.hpp"
-#include "geometry/pair_batch.hpp"
+#include "geometry/batch/pair_arrays.hpp"
+#include "geometry/batch/pair_batch.hpp"
 
 namespace gapcheck::bench {
 

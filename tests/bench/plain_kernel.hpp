@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/pair_kernel.hpp"
+#include "geometry/batch/pair_kernel.hpp"
 
 namespace gapcheck::bench {
 namespace {
@@ -16,7 +16,7 @@ inline void plain_quads(geometry::PairArrays& p, std::size_t first) {
   const auto m = quarter * (low + high), a = quarter * (right + left), b = quarter * (high - low),
              c = quarter * (left - right);
   const Products<V> g(m, a, b, c);
-  Trial<V> at = stationary_point(g, steps_to_settle);
+  Trials<V> at = stationary_point(g, steps_to_settle);
   if (bits<V>(~at.inside) != 0) move_to_border(g, at);
   const V bound = load<V>(p.bound + first);
   p.closer |= bits<V>(g.squared_distance(at.s, at.t) < bound * bound) << first;

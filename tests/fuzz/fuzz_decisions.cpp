@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fuzz.hpp"
+#include "geometry/batch/pair_batch.hpp"
 #include "geometry/decide.hpp"
-#include "geometry/pair_batch.hpp"
 #include "numbers.hpp"
 
 namespace gapcheck::fuzz::decisions_target {

@@ -219,7 +219,10 @@ TEST(Decide, CountersSayHow) {
   EXPECT_FALSE(closer_than(quad, {2, 2, 2}, 2, Mode::filtered, counters)) << "a tie along an axis";
   EXPECT_TRUE(closer_than(quad, {1, 3, 2}, up(2), Mode::filtered, counters));
   EXPECT_EQ(counters.interval, 2u);
-  EXPECT_FALSE(closer_than(quad, {7, 2, 4}, 5, Mode::filtered, counters)) << "a tie that is oblique";
+  EXPECT_FALSE(closer_than(quad, {7, 2, 4}, 5, Mode::filtered, counters)) << "a tie of whole numbers beside an edge";
+  EXPECT_EQ(counters.interval, 3u);
+  const Facet oblique{{Vector(0, 0, 0), Vector(4, -8, 0), Vector(8, -6, -5), Vector(4, 2, -5)}, false};
+  EXPECT_FALSE(closer_than(oblique, {6, -2, -0.5}, 3, Mode::filtered, counters)) << "a tie above an oblique face";
   EXPECT_EQ(counters.exact, 1u);
   EXPECT_TRUE(closer_than(quad, {2, 2, 1}, 2, Mode::exact, counters));
   EXPECT_EQ(counters.exact, 2u);

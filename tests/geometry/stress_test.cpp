@@ -14,8 +14,8 @@
 
 #include "base/parallel.hpp"
 #include "families.hpp"
+#include "geometry/batch/pair_batch.hpp"
 #include "geometry/decide.hpp"
-#include "geometry/pair_batch.hpp"
 #include "geometry/view.hpp"
 #include "whole_numbers.hpp"
 

@@ -16,7 +16,7 @@
 #include "contact/pair/nearer_segments.hpp"
 #include "contact/pair/nearest_hits.hpp"
 #include "contact/search/nearest_boxes.hpp"
-#include "geometry/pair_batch.hpp"
+#include "geometry/batch/pair_batch.hpp"
 #include "geometry/view.hpp"
 
 namespace gapcheck::contact {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certified.hpp"
-#include "geometry/pair_batch.hpp"
+#include "geometry/batch/pair_batch.hpp"
 #include "geometry/view.hpp"
 #include "methods.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/pair_arrays.hpp"
+#include "geometry/batch/pair_arrays.hpp"
 
 namespace gapcheck::geometry {
 

@@ -1,4 +1,4 @@
-#include "geometry/pair_batch.hpp"
+#include "geometry/batch/pair_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "families.hpp"
+#include "../families.hpp"
 #include "geometry/decide.hpp"
 
 namespace gapcheck::geometry::test::pair_batch_test {

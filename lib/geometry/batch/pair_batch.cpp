@@ -1,7 +1,7 @@
-#include "geometry/pair_batch.hpp"
+#include "geometry/batch/pair_batch.hpp"
 
-#include "geometry/pair_kernel.hpp"
-#include "geometry/pair_widths.hpp"
+#include "geometry/batch/pair_kernel.hpp"
+#include "geometry/batch/pair_widths.hpp"
 
 namespace gapcheck::geometry {
 namespace {

@@ -1,5 +1,5 @@
-#include "geometry/pair_kernel.hpp"
-#include "geometry/pair_widths.hpp"
+#include "geometry/batch/pair_kernel.hpp"
+#include "geometry/batch/pair_widths.hpp"
 
 namespace gapcheck::geometry {
 

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/batch/pair_arrays.hpp"
 #include "geometry/certificate.hpp"
-#include "geometry/pair_arrays.hpp"
 #include "geometry/view.hpp"
 
 namespace gapcheck::geometry {

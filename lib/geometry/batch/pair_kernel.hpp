@@ -1,7 +1,7 @@
 #pragma once
+#include "geometry/batch/pair_arrays.hpp"
 #include "geometry/lanes.hpp"
 #include "geometry/nearest_slack.hpp"
-#include "geometry/pair_arrays.hpp"
 
 /// The arithmetic of pair_batch.hpp for one width. Every lane does the same, whatever its neighbours hold. The
 /// constants are derived in docs/theory/decisions.md.
