@@ -129,8 +129,8 @@ Verdict prove_quad(const Facet& facet, const Vector& query, double size, double 
   const bool tied = first.verdict == Verdict::tied;
   if (precise::separated_by_axis(corners, bound)) return Verdict::apart;
   std::optional<precise::Place> inside;
-  constexpr double border = 1 - 1e-9;
-  if (tied && std::abs(trial.s) < border && std::abs(trial.t) < border) {
+  constexpr double off_border = 1 - 1e-9;
+  if (tied && std::abs(trial.s) < off_border && std::abs(trial.t) < off_border) {
     if (const Verdict verdict = precise::patch_verdict(corners, size, bound, trial.s, trial.t); settled(verdict))
       return verdict;
     inside = precise::Place{trial.s, trial.t};
