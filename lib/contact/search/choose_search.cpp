@@ -34,7 +34,7 @@ class RepeatedSearch final : public CandidateSearch {
 };
 
 /// Up to so many points a sweep costs less than building a grid or tree.
-constexpr std::size_t few = 3000;
+constexpr std::size_t few_points = 3000;
 
 /// The grid has 2²¹ cells along the longest extent with its room (bucket_grid.cpp). Boxes about as small as a cell
 /// would share it with everything near them.
@@ -48,12 +48,12 @@ bool grid_is_coarse(std::span<const Vector> points, std::span<const Bounds> boxe
 }  // namespace
 
 SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds> boxes) {
-  if (points.size() <= few) return SearchKind::sorted_sweep;
+  if (points.size() <= few_points) return SearchKind::sorted_sweep;
   return grid_is_coarse(points, boxes) ? SearchKind::box_tree : SearchKind::bucket_grid;
 }
 
 SearchKind choose_repeated_search(std::span<const Vector> points, std::span<const Bounds> boxes) {
-  return points.size() > few && grid_is_coarse(points, boxes) ? SearchKind::box_tree : SearchKind::bucket_grid;
+  return points.size() > few_points && grid_is_coarse(points, boxes) ? SearchKind::box_tree : SearchKind::bucket_grid;
 }
 
 std::unique_ptr<CandidateSearch> make_repeated_search() { return std::make_unique<RepeatedSearch>(); }
