@@ -25,8 +25,12 @@ struct NodeMemories final : PassMemory {
   bool fresh = true;
 };
 
+/// Asks the processor for the state of the node at a place: these states lie anywhere in memory.
+void prefetch_node(const TrackedPairs& pairs, std::size_t place) { prefetch(&pairs.node(pairs.slot_at(place))); }
+
 /// Asks for the velocities that a node in contact needs.
-void prefetch_velocities(const TrackedPairs& pairs, SlotIndex slot, const State& state) {
+void prefetch_velocities(const TrackedPairs& pairs, std::size_t place, const State& state) {
+  const SlotIndex slot = pairs.slot_at(place);
   const TrackedNode& tracked = pairs.node(slot);
   if (!tracked.active) return;
   const contact::PairScene& scene = pairs.scene();
@@ -70,9 +74,15 @@ void ContactPass::find_candidates(double margin, ContactCounters& counters) {
 void ContactPass::advance_places(std::size_t first, std::size_t last, const State& state, double used,
                                  FinderScratch& scratch, std::size_t b) {
   finder_.follow_pairs(first, last, scratch);
-  for (std::size_t place = first; place < last; ++place) prefetch_velocities(pairs_, pairs_.slot_at(place), state);
   PassBlock& block = blocks_[b];
+  const std::size_t end = std::min(pairs_.places(), (b + 1) * places_per_block);
   for (std::size_t place = first; place < last; ++place) {
+    // Other threads are at the places of other blocks.
+    if (place + FollowedPairs::capacity < end) prefetch_node(pairs_, place + FollowedPairs::capacity);
+    if (constexpr std::size_t soon = 4; place + soon < last) {
+      finder_.prefetch_place(place + soon);
+      prefetch_velocities(pairs_, place + soon, state);
+    }
     if (std::optional<NodeMeeting> meeting = finder_.find_meeting(place, used, scratch, block.counts))
       settler_.settle_node(place, *meeting, state, block, pushes_[b]);
     else
@@ -90,6 +100,8 @@ void ContactPass::advance_block(std::size_t b, const State& state, double used, 
     return;
   }
   block.clear();
+  for (std::size_t place = first; place < std::min(last, first + FollowedPairs::capacity); ++place)
+    prefetch_node(pairs_, place);
   for (std::size_t place = first; place < last; place += FollowedPairs::capacity)
     advance_places(place, std::min(last, place + FollowedPairs::capacity), state, used, scratch, b);
   if (last > near) return;

@@ -8,6 +8,17 @@ namespace gapcheck::solver {
 
 using contact::NodeAction;
 
+namespace {
+
+/// As PairVelocities::of_segment(), without a copy of the corners' velocities: they are read again soon after.
+Vector point_velocity(const model::SegmentNodes& n, const std::array<double, 4>& weights, const State& state) {
+  const std::vector<Vector>& v = state.v;
+  return (weights[0] * v[n[0].value] + weights[1] * v[n[1].value]) +
+         (weights[2] * v[n[2].value] + weights[3] * v[n[3].value]);
+}
+
+}  // namespace
+
 NodeSettler::NodeSettler(const ContactSetting& setting, ContactIndex contact, TrackedPairs& pairs, NodeRule& rule)
     : mesh_(setting.model.mesh),
       movable_(setting.movable),
@@ -24,10 +35,10 @@ void NodeSettler::settle_node(std::size_t place, NodeMeeting& meeting, const Sta
   TrackedNode& tracked = pairs_.touch(slot);
   const bool was_active = tracked.active;
   const double stored = tracked.stored();
-  PairVelocities speeds;
+  const Vector& speed = state.v[scene_.nodes.node[slot.value].value];
   if (was_active) {
-    speeds = pairs_.velocities(slot, tracked.link.segment, state);
-    block.work.add(tracked.link, speeds.node, speeds.of_segment(tracked.link.weights), state.dt);
+    const model::SegmentNodes& corners = scene_.segments.nodes[tracked.link.segment.value];
+    block.work.add(tracked.link, speed, point_velocity(corners, tracked.link.weights, state), state.dt);
   }
   rule_.bring_back(slot, meeting.contact ? &*meeting.contact : nullptr);
   const contact::NodeEncounter encounter = encounter_of(slot, meeting, tracked, state);
@@ -36,17 +47,17 @@ void NodeSettler::settle_node(std::size_t place, NodeMeeting& meeting, const Sta
   tracked.active = action == NodeAction::force;
   if (tracked.active) {
     const SegmentIndex segment = meeting.contact->segment;
-    if (!was_active || tracked.link.segment != segment) speeds = pairs_.velocities(slot, segment, state);
+    const model::SegmentNodes& corners = scene_.segments.nodes[segment.value];
     const Vector friction = was_active ? tracked.link.friction : Vector::Zero();
-    tracked.link = link_at(*meeting.contact);
-    const Vector moving = speeds.of_segment(tracked.link.weights);
-    const Vector velocity = speeds.node - moving;
+    set_link(*meeting.contact, tracked.link);
+    const Vector moving = point_velocity(corners, tracked.link.weights, state);
+    const Vector velocity = speed - moving;
     tracked.link.set_forces(law_of(slot, tracked, velocity), tracked.penetration - tracked.memory.forgiven, velocity,
                             friction, state.dt);
-    block.work.add(tracked.link, speeds.node, moving, state.dt);
+    block.work.add(tracked.link, speed, moving, state.dt);
     block.touching += tracked.link.push > 0;
     pushes.add({tracked.link.force(), tracked.link.weights, scene_.nodes.node[slot.value].value, segment.value},
-               scene_.segments.nodes[segment.value]);
+               corners);
   } else {
     tracked.link = {};
     if (encounter.penetrates) tracked.link.segment = meeting.contact->segment;
@@ -89,8 +100,8 @@ bool NodeSettler::was_followed(SlotIndex slot, SegmentIndex segment, const State
   return contact::was_followed(scene_, slot, segment, facet, scene_.position(slot) - state.dt * speeds.node);
 }
 
-SegmentLink NodeSettler::link_at(const SegmentContact& contact) const {
-  SegmentLink link;
+void NodeSettler::set_link(const SegmentContact& contact, SegmentLink& link) const {
+  link = {};
   link.segment = contact.segment;
   link.on_face = contact.on_face;
   link.s = contact.s;
@@ -101,7 +112,6 @@ SegmentLink NodeSettler::link_at(const SegmentContact& contact) const {
   else
     link.weights = quad_weights(contact.s, contact.t);
   link.normal = contact.direction();
-  return link;
 }
 
 LinkSpring NodeSettler::law_of(SlotIndex slot, const TrackedNode& tracked, const Vector& velocity) const {

@@ -34,8 +34,8 @@ class NodeSettler {
                                                     const State& state) const;
   /// Whether the segment had the node in sight in the cycle before.
   [[nodiscard]] bool was_followed(SlotIndex slot, SegmentIndex segment, const State& state) const;
-  /// The link at the closest point, without forces.
-  [[nodiscard]] SegmentLink link_at(const SegmentContact& contact) const;
+  /// Makes it the link at the closest point, without forces.
+  void set_link(const SegmentContact& contact, SegmentLink& link) const;
   /// Parameters of the node's spring; its link must be set.
   [[nodiscard]] LinkSpring law_of(SlotIndex slot, const TrackedNode& tracked, const Vector& velocity) const;
 

@@ -32,9 +32,6 @@ void SegmentFinder::follow_pairs(std::size_t first, std::size_t last, FinderScra
   scratch.first = first;
   std::size_t count = 0;
   for (std::size_t place = first; place < last; ++place) {
-    // The states of nodes lie anywhere in memory: those of the next places are on their way while these are followed.
-    if (const std::size_t next = place + FollowedPairs::capacity; next < pairs_.near_places())
-      prefetch(&pairs_.node(pairs_.slot_at(next)));
     std::size_t& lane = scratch.lanes[place - first];
     lane = not_followed;
     if (!may_follow(place)) continue;
@@ -45,35 +42,38 @@ void SegmentFinder::follow_pairs(std::size_t first, std::size_t last, FinderScra
     set_start(pairs_.slot_at(place), scratch.followed, lane);
   }
   geometry::follow(scratch.followed, count);
-  for (std::size_t place = first; place < last; ++place) {
-    if (!may_follow(place)) continue;
-    const std::span<Candidate> candidates = pairs_.candidates_at(place);
-    for (const std::uint32_t rival : pairs_.node(pairs_.slot_at(place)).rivals)
-      if (rival < candidates.size()) prefetch(&candidates[rival]);
-  }
+}
+
+void SegmentFinder::prefetch_place(std::size_t place) const {
+  if (!may_follow(place)) return;
+  const std::span<Candidate> candidates = pairs_.candidates_at(place);
+  for (const std::uint32_t rival : pairs_.node(pairs_.slot_at(place)).rivals)
+    if (rival < candidates.size()) prefetch(&candidates[rival]);
 }
 
 std::optional<NodeMeeting> SegmentFinder::find_meeting(std::size_t place, double used, FinderScratch& scratch,
                                                        PairCounts& counts) {
   const SlotIndex slot = pairs_.slot_at(place);
   const std::size_t lane = scratch.lanes[place - scratch.first];
-  NodeMeeting meeting{{}, true};
+  std::optional<NodeMeeting> meeting(std::in_place);
+  meeting->in_zone = true;
+  std::optional<SegmentContact>& contact = meeting->contact;
   if (lane != not_followed) {
-    meeting.contact = prove_followed(slot, scratch.followed, lane);
+    if (!prove_followed(slot, scratch.followed, lane, contact.emplace())) contact.reset();
   } else if (may_follow(place)) {
-    meeting.contact = decide_last(slot);
+    contact = decide_last(slot);
   }
-  if (meeting.contact && rivals_.stay_behind(place, *meeting.contact, used, scratch.single)) {
+  if (contact && rivals_.stay_behind(place, *contact, used, scratch.single)) {
     ++counts.nodes;
     ++counts.pairs;
     ++counts.followed;
-    return meeting;
-  }
-  if (pairs_.sleep(place) > used && !pairs_.node(slot).active) {
+  } else if (pairs_.sleep(place) > used && !pairs_.node(slot).active) {
     ++counts.asleep;
-    return {};
+    meeting.reset();
+  } else {
+    meeting.emplace(decide_candidates(place, used, scratch, counts));
   }
-  return decide_candidates(place, used, scratch, counts);
+  return meeting;
 }
 
 NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, FinderScratch& scratch,
@@ -203,11 +203,10 @@ void SegmentFinder::set_start(SlotIndex slot, FollowedPairs& pairs, std::size_t 
   pairs.t[lane] = link.t;
 }
 
-std::optional<SegmentContact> SegmentFinder::prove_followed(SlotIndex slot, const FollowedPairs& pairs,
-                                                            std::size_t lane) const {
+bool SegmentFinder::prove_followed(SlotIndex slot, const FollowedPairs& pairs, std::size_t lane,
+                                   SegmentContact& contact) const {
   const double distance = std::sqrt(pairs.squared_distance[lane]);
-  if (!(pairs.settled[lane] > 0) || !(distance > 0)) return {};
-  SegmentContact contact;
+  if (!(pairs.settled[lane] > 0) || !(distance > 0)) return false;
   contact.segment = pairs_.node(slot).link.segment;
   contact.s = pairs.s[lane];
   contact.t = pairs.t[lane];
@@ -215,7 +214,7 @@ std::optional<SegmentContact> SegmentFinder::prove_followed(SlotIndex slot, cons
   contact.distance = distance;
   contact.rounding = geometry::distance_rounding * pairs.size[lane];
   contact.on_face = true;
-  if (scene_.slides(slot, contact.segment, distance)) return {};
+  if (scene_.slides(slot, contact.segment, distance)) return false;
   const double h = scene_.nodes.half[slot.value] + scene_.segments.half[contact.segment.value], size = pairs.size[lane];
   // The tolerance of decide_pair(), or a little more.
   const double largest = scene_.position(slot).cwiseAbs().maxCoeff() + 2 * size;
@@ -224,15 +223,15 @@ std::optional<SegmentContact> SegmentFinder::prove_followed(SlotIndex slot, cons
     // Behind or in front must be certain.
     const bool flipped = !scene_.flipped.empty() && scene_.flipped[contact.segment.value];
     const double turn = flipped ? -pairs.turn[lane] : pairs.turn[lane];
-    if (!(std::abs(turn) > 1e-12 * size * size * size) || !(distance > 1e-9 * size)) return {};
+    if (!(std::abs(turn) > 1e-12 * size * size * size) || !(distance > 1e-9 * size)) return false;
     if (turn > 0) {
-      if (!(distance <= scene_.behind(contact.segment)) || !(h > tolerance || distance > 4 * tolerance)) return {};
+      if (!(distance <= scene_.behind(contact.segment)) || !(h > tolerance || distance > 4 * tolerance)) return false;
       contact.distance = -distance;
-      return contact;
+      return true;
     }
   }
-  if (!pairs.closer_than(lane, h - tolerance)) return {};
-  return contact;
+  if (!pairs.closer_than(lane, h - tolerance)) return false;
+  return true;
 }
 
 }  // namespace gapcheck::solver

@@ -59,6 +59,9 @@ class SegmentFinder {
   /// used up. Sets how long the node and its candidates sleep.
   [[nodiscard]] std::optional<NodeMeeting> find_meeting(std::size_t place, double used, FinderScratch& scratch,
                                                         PairCounts& counts);
+  /// Asks the processor for what find_meeting() will read at a place, whose node's state it has been asked for. No
+  /// other thread may be at that place.
+  void prefetch_place(std::size_t place) const;
 
  private:
   /// Decides the candidates that may be near, and which segment counts.
@@ -88,9 +91,9 @@ class SegmentFinder {
   [[nodiscard]] std::optional<SegmentContact> decide_last(SlotIndex slot) const;
   /// Sets the pair to follow in a lane: the node and the segment of its link, starting from the last closest point.
   void set_start(SlotIndex slot, geometry::FollowedPairs& pairs, std::size_t lane) const;
-  /// The contact of a pair that was followed; nothing if it must be decided the long way.
-  [[nodiscard]] std::optional<SegmentContact> prove_followed(SlotIndex slot, const geometry::FollowedPairs& pairs,
-                                                             std::size_t lane) const;
+  /// Sets the contact of a pair that was followed; false: it must be decided the long way.
+  [[nodiscard]] bool prove_followed(SlotIndex slot, const geometry::FollowedPairs& pairs, std::size_t lane,
+                                    SegmentContact& contact) const;
 
   TrackedPairs& pairs_;
   const contact::PairScene& scene_;

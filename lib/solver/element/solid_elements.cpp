@@ -93,6 +93,19 @@ SolidCorners corners_of(const State& state, const std::array<NodeIndex, 8>& node
   return corners;
 }
 
+/// Volumes in the middle of the step; those that have failed or turned inside out take no part.
+void average_volumes(const State& state, std::span<const std::array<NodeIndex, 8>> nodes, std::span<const char> failed,
+                     std::vector<NodalAverage::Share>& shares, NodalAverage& average) {
+  parallel_for(shares.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t solid = average.owners()[i];
+      const SolidCorners corners = corners_of(state, nodes[solid]);
+      shares[i] = failed[solid] != 0 ? NodalAverage::Share{} : tetrahedron_share(corners, state.dt);
+    }
+  });
+  average.average(shares);
+}
+
 /// Replaces the forces on the corners; adds the work of the old and the new ones over the step. `velocity`: of a
 /// corner.
 template <class Velocity>
@@ -101,6 +114,49 @@ void exchange(const SolidForces& now, const Velocity& velocity, double dt, Vecto
     work += dt / 2 * (forces[k] + now.force[k]).dot(velocity(k));
     forces[k] = now.force[k];
   }
+}
+
+/// One of its points has failed, its time is over, it is inside out, or its step is too small.
+bool has_failed(const SolidProperties& properties, std::span<const PointState> points, const SolidEnds& ends,
+                double time, const SolidForces& forces) {
+  if (std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; })) return true;
+  if (past_time(properties.material.erosion, time)) return true;
+  if (!forces.good) return ends.inverted || properties.inverted_fails;
+  return std::min(ends.factor * forces.manual_step, forces.stable_step / step_slack) < ends.least;
+}
+
+/// It has failed, or the limits of a spotweld are exceeded.
+bool tears(const SolidProperties& properties, std::span<const PointState> points, const SolidEnds& ends, double time,
+           const SolidCorners& corners, const SolidForces& forces, WeldHistory& history) {
+  if (has_failed(properties, points, ends, time, forces)) return true;
+  return forces.good && properties.weld.exist() &&
+         weld_fails(properties.weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points),
+                    history);
+}
+
+CornerTable corner_table(std::size_t nodes, std::span<const std::array<NodeIndex, 8>> solids) {
+  std::vector<NodeIndex> corners;
+  corners.reserve(8 * solids.size());
+  for (const std::array<NodeIndex, 8>& solid : solids)
+    for (std::size_t k = 0; k < 8; ++k)
+      corners.push_back(k > 3 && model::is_tetrahedron(solid) ? none<NodeIndex> : solid[k]);
+  return {nodes, corners};
+}
+
+/// A solid that fails has no stress, no force and no step.
+void remove(std::span<PointState> points, SolidState& state, SolidForces& forces) {
+  for (PointState& point : points) point.stress = {};
+  state.mean_stress = {};
+  forces = {};
+  forces.force.fill(Vector::Zero());
+}
+
+/// What the sums take over from the forces.
+void note_work(const SolidForces& forces, std::uint32_t solid, Summary& summary) {
+  summary.hourglass_work = forces.hourglass_work;
+  summary.dissipated = forces.dissipated;
+  summary.viscous_work = forces.viscous_work;
+  summary.manual_at = summary.stable_at = solid;
 }
 
 /// The share of each corner in a solid's mass.
@@ -185,24 +241,7 @@ void SolidElements::finish(std::size_t nodes) {
       average_.add({n[0], n[1], n[2], n[3]}, which_[i], i);
   average_.finish(size());
   shares_.resize(average_.owners().size());
-  std::vector<NodeIndex> corners;
-  corners.reserve(8 * size());
-  for (std::size_t i = 0; i < size(); ++i)
-    for (std::size_t k = 0; k < 8; ++k)
-      corners.push_back(k > 3 && model::is_tetrahedron(nodes_[i]) ? none<NodeIndex> : nodes_[i][k]);
-  table_ = CornerTable(nodes, corners);
-}
-
-/// Volumes in the middle of the step; those that have failed or turned inside out take no part.
-void SolidElements::average_volumes(const State& state) {
-  parallel_for(shares_.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t solid = average_.owners()[i];
-      const SolidCorners corners = corners_of(state, nodes_[solid]);
-      shares_[i] = failed_[solid] != 0 ? NodalAverage::Share{} : tetrahedron_share(corners, state.dt);
-    }
-  });
-  average_.average(shares_);
+  table_ = corner_table(nodes, nodes_);
 }
 
 Summary SolidElements::update_one(const State& state, std::size_t solid) {
@@ -218,7 +257,8 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   SolidForces forces = section != no_position && sections_[section].active(state)
                            ? preloaded_forces(state, solid, corners, summary.supplied)
                            : forces_of(solid, corners, state.dt);
-  judge(solid, fails(state.time, solid, forces) || tears(state.time, solid, corners, forces), forces, summary);
+  const bool torn = tears(properties(solid), points(solid), ends_, state.time, corners, forces, state_[solid].weld);
+  judge(solid, torn, forces, summary);
   summary.work = summary.supplied;
   exchange(
       forces, [&](std::size_t k) -> const Vector& { return corners.v[k]; }, state.dt, &force_[8 * solid], summary.work);
@@ -237,7 +277,12 @@ std::size_t SolidElements::end_of_batch(std::size_t first, std::size_t last) con
   return end;
 }
 
-void SolidElements::update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum) {
+std::size_t SolidElements::update_some(const State& state, std::size_t first, std::size_t end, Summary& sum) {
+  const std::size_t last = end_of_batch(first, end);
+  if (last == first) {
+    sum.add(update_one(state, first));
+    return first + 1;
+  }
   const SolidProperties& own = properties(first);
   BrickBatch batch;
   std::array<double, BrickBatch::capacity> plastic_work;
@@ -252,20 +297,18 @@ void SolidElements::update_batch(const State& state, std::size_t first, std::siz
     const std::size_t i = solid - first;
     SolidForces forces = batch.forces(i, state.dt, plastic_work[i]);
     Summary summary;
-    judge(solid, fails(state.time, solid, forces), forces, summary);
+    judge(solid, has_failed(own, points(solid), ends_, state.time, forces), forces, summary);
     exchange(
         forces, [&](std::size_t k) { return batch.velocity(i, k); }, state.dt, &force_[8 * solid], summary.work);
     sum.add(conclude(solid, forces, summary));
   }
+  return last;
 }
 
 void SolidElements::judge(std::size_t solid, bool fails_now, SolidForces& forces, Summary& summary) {
   if (fails_now) {
     failed_[solid] = 1;
-    for (std::size_t p = first_point_[solid]; p < first_point_[solid + 1]; ++p) points_[p].stress = {};
-    state_[solid].mean_stress = {};
-    forces = {};
-    forces.force.fill(Vector::Zero());
+    remove({&points_[first_point_[solid]], points(solid).size()}, state_[solid], forces);
     summary.failed = 1;
   } else if (forces.good) {
     set_steps(properties(solid).material, forces, state_[solid], summary);
@@ -276,27 +319,9 @@ void SolidElements::judge(std::size_t solid, bool fails_now, SolidForces& forces
 
 Summary SolidElements::conclude(std::size_t solid, const SolidForces& forces, Summary summary) {
   watched_.note(solid, summary.manual_step, summary.stable_step);
-  summary.hourglass_work = forces.hourglass_work;
-  summary.dissipated = forces.dissipated;
-  summary.viscous_work = forces.viscous_work;
-  summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(solid);
+  note_work(forces, static_cast<std::uint32_t>(solid), summary);
   energy_[solid].add(summary);
   return summary;
-}
-
-bool SolidElements::fails(double time, std::size_t solid, const SolidForces& forces) const {
-  const std::span<const PointState> points = this->points(solid);
-  if (std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; })) return true;
-  if (past_time(properties(solid).material.erosion, time)) return true;
-  if (!forces.good) return inverted_fail_ || properties(solid).inverted_fails;
-  return std::min(small_.factor * forces.manual_step, forces.stable_step / step_slack) < small_.least;
-}
-
-bool SolidElements::tears(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces) {
-  const WeldLimits& weld = properties(solid).weld;
-  return forces.good && weld.exist() &&
-         weld_fails(weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points(solid)),
-                    state_[solid].weld);
 }
 
 SolidForces SolidElements::forces_of(std::size_t solid, const SolidCorners& corners, double dt) {
@@ -341,19 +366,12 @@ AddedMass SolidElements::keep_steps(State& state) {
 }
 
 Summary SolidElements::update(const State& state) {
-  if (small_.share > 0 && small_.least == 0) small_.least = small_.share * state.dt;
-  if (!average_.empty()) average_volumes(state);
+  if (ends_.share > 0 && ends_.least == 0) ends_.least = ends_.share * state.dt;
+  if (!average_.empty()) average_volumes(state, nodes_, failed_, shares_, average_);
   for (SectionStress& section : sections_) section.imposed.stress = section.curve.at(state.time);
   return sum_over_blocks<Summary>(size(), [&](std::size_t begin, std::size_t end) {
     Summary sum;
-    for (std::size_t i = begin; i < end;) {
-      const std::size_t last = end_of_batch(i, end);
-      if (last > i)
-        update_batch(state, i, last, sum);
-      else
-        sum.add(update_one(state, i));
-      i = std::max(last, i + 1);
-    }
+    for (std::size_t i = begin; i < end;) i = update_some(state, i, end, sum);
     return sum;
   });
 }

@@ -14,6 +14,21 @@
 
 namespace gapcheck::solver {
 
+/// When solids fail but by their material.
+struct SolidEnds {
+  bool inverted = false;         ///< when they lose their volume
+  double share = 0, factor = 0;  ///< of let_small_steps_fail(); share 0: none fails by its step
+  double least = 0;              ///< step, known from the first one on
+  [[nodiscard]] bool exist() const { return inverted || share > 0; }
+};
+
+/// Solids with some of these properties may fail.
+inline bool any_can_fail(std::span<const SolidProperties> all) {
+  return std::any_of(all.begin(), all.end(), [](const SolidProperties& p) {
+    return p.material.can_fail() || p.weld.exist() || p.inverted_fails;
+  });
+}
+
 /// All solids of a structure; arrays by solid.
 class SolidElements {
  public:
@@ -61,19 +76,14 @@ class SolidElements {
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
   /// False: none ever fails.
-  [[nodiscard]] bool can_fail() const {
-    return inverted_fail_ || small_.share > 0 ||
-           std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
-             return p.material.can_fail() || p.weld.exist() || p.inverted_fails;
-           });
-  }
+  [[nodiscard]] bool can_fail() const { return ends_.exist() || any_can_fail(properties_); }
   /// Its point has failed, or it was a spotweld and is torn: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
   /// A solid that loses its volume also fails, instead of ending the run.
-  void let_inverted_fail() { inverted_fail_ = true; }
+  void let_inverted_fail() { ends_.inverted = true; }
   /// A solid also fails when its time step falls below this share of the run's first one (DTMIN with ERODE = 1 of
   /// *CONTROL_TIMESTEP). `factor`: TSSFAC.
-  void let_small_steps_fail(double share, double factor) { small_ = {share, factor}; }
+  void let_small_steps_fail(double share, double factor) { ends_ = {ends_.inverted, share, factor}; }
   [[nodiscard]] const SolidProperties& properties(std::size_t solid) const { return properties_[which_[solid]]; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
   /// The energy that its stress stores, with all nodes at `x`.
@@ -87,15 +97,11 @@ class SolidElements {
 
  private:
   [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
-  void average_volumes(const State& state);
   [[nodiscard]] SolidForces forces_of(std::size_t solid, const SolidCorners& corners, double dt);
   /// The end of the solids from `first` on that can be in one batch; `first`: it cannot be in any.
   [[nodiscard]] std::size_t end_of_batch(std::size_t first, std::size_t last) const;
-  /// update_one() of solids that can be in one batch.
-  void update_batch(const State& state, std::size_t first, std::size_t last, Summary& sum);
-  [[nodiscard]] bool fails(double time, std::size_t solid, const SolidForces& forces) const;
-  /// The limits of a spotweld are exceeded.
-  [[nodiscard]] bool tears(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces);
+  /// update_one() of the first solid, or of all that can be in one batch with it; returns the end of these.
+  std::size_t update_some(const State& state, std::size_t first, std::size_t end, Summary& sum);
   /// Removes a solid that fails, otherwise notes its steps or that it is bad.
   void judge(std::size_t solid, bool fails_now, SolidForces& forces, Summary& summary);
   [[nodiscard]] Summary conclude(std::size_t solid, const SolidForces& forces, Summary summary);
@@ -117,11 +123,7 @@ class SolidElements {
   std::vector<char> failed_;  ///< not bits: written by several threads
   std::vector<SectionStress> sections_;
   std::vector<std::uint32_t> section_of_;  ///< by solid; empty: no solid is in a section
-  bool inverted_fail_ = false;
-  struct SmallStep {
-    double share = 0, factor = 0;  ///< share 0: no solid fails by its step
-    double least = 0;              ///< known from the first step on
-  } small_;
+  SolidEnds ends_;
   WatchedSteps watched_;
   NodalAverage average_;                     ///< of tetrahedra with nodal pressures
   std::vector<NodalAverage::Share> shares_;  ///< of each of them

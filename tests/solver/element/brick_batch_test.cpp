@@ -160,9 +160,9 @@ std::vector<Case> cases() {
   return all;
 }
 
-class Kinds : public testing::TestWithParam<Case> {};
+class BrickKinds : public testing::TestWithParam<Case> {};
 
-TEST_P(Kinds, AreThoseOfSingleBricks) {
+TEST_P(BrickKinds, AreThoseOfSingleBricks) {
   const SolidProperties& properties = GetParam().properties;
   ASSERT_TRUE(BrickBatch::takes(properties));
   Numbers numbers;
@@ -208,7 +208,7 @@ TEST_P(Kinds, AreThoseOfSingleBricks) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Kinds, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(All, BrickKinds, testing::ValuesIn(cases()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
 // What has no volume keeps its state, and its neighbours do not notice.
