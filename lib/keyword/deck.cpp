@@ -202,7 +202,7 @@ void give_parameters(const std::vector<std::string>& texts, Parameters& paramete
 Result<Deck> DeckReader::read_path(const std::string& path) {
   std::error_code error;
   canonical_.push_back(std::filesystem::canonical(path, error).string());
-  const auto file = open_file(path, canonical_.back(), false);
+  const auto file = open_file(path, canonical_.back());
   if (!file) return file.error();
   return read_all(path, file.value()->bytes(), file.value()->marks());
 }
@@ -233,13 +233,12 @@ Result<Deck> DeckReader::finish() {
 }
 
 /// The file, which the deck then keeps.
-Result<std::shared_ptr<KeywordFile>> DeckReader::open_file(const std::string& path, const std::string& canonical,
-                                                           bool included) {
+Result<std::shared_ptr<KeywordFile>> DeckReader::open_file(const std::string& path, const std::string& canonical) {
   if (options_.replaced != nullptr && options_.replaced->contains(path))
     return deck_.read_.emplace_back(std::make_shared<KeywordFile>(options_.replaced->at(path)));
   FileCache& cache = options_.cache != nullptr ? *options_.cache : own_;
   const std::uint64_t shared = cache.shared();
-  auto file = cache.open(path, canonical, included);
+  auto file = cache.open(path, canonical, !deck_.files_.empty());
   if (!file) return file;
   if (std::find(deck_.read_.begin(), deck_.read_.end(), file.value()) == deck_.read_.end()) {
     deck_.counters_.shared_files += cache.shared() - shared;

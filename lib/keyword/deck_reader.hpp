@@ -48,8 +48,7 @@ class DeckReader {
   Result<Deck> finish();
 
   // deck.cpp: one file
-  [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical,
-                                                               bool included);
+  [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical);
   FileIndex add_file(const std::string& path, std::string_view bytes, const FileContext* includer, std::uint32_t line);
   void read_file(FileContext context, const std::vector<Mark>& marks);
   bool add_block(Block block, const FileContext& context, bool templated);

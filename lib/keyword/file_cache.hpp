@@ -8,8 +8,8 @@
 
 #include "base/file_bytes.hpp"
 #include "base/result.hpp"
-#include "keyword/kept_rows.hpp"
 #include "keyword/scan.hpp"
+#include "keyword/text/kept_rows.hpp"
 
 namespace gapcheck::keyword {
 

@@ -150,7 +150,7 @@ void DeckReader::open_shifted(const FileContext& context, CardReader& reader, co
 /// An included file that is readable; null: the reason is already reported.
 std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, const std::string& canonical,
                                                      const Block& block, std::uint32_t line) {
-  auto file = open_file(path, canonical, true);
+  auto file = open_file(path, canonical);
   const bool empty = file.ok() && file.value()->bytes().empty();
   const std::string problem = !file ? file.error().message : empty ? "is empty" : problem_of(file.value()->bytes());
   if (problem.empty()) return std::move(file).value();

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "keyword/kept_rows.hpp"
 #include "keyword/text/fixed_field.hpp"
 
 namespace gapcheck::keyword {

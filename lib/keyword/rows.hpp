@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "keyword/card.hpp"
+#include "keyword/text/kept_rows.hpp"
 
 namespace gapcheck::keyword {
-
-/// The rows of a block that repeats one card, as columns of numbers.
-struct Rows {
-  std::size_t count = 0;
-  std::size_t integer_columns = 0, real_columns = 0;
-  std::vector<std::int64_t> integers;  ///< count x integer_columns, row by row; blank = 0
-  std::vector<double> reals;           ///< count x real_columns, row by row; blank = 0
-  std::vector<std::uint32_t> lines;    ///< count
-};
 
 /// Called with the number of rows before any is read.
 using MakeRoom = std::function<void(std::size_t count)>;

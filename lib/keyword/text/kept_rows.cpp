@@ -1,8 +1,6 @@
-#include "keyword/kept_rows.hpp"
+#include "keyword/text/kept_rows.hpp"
 
 #include <utility>
-
-#include "keyword/rows.hpp"
 
 namespace gapcheck::keyword {
 

@@ -7,7 +7,14 @@
 
 namespace gapcheck::keyword {
 
-struct Rows;
+/// The rows of a block that repeats one card, as columns of numbers.
+struct Rows {
+  std::size_t count = 0;
+  std::size_t integer_columns = 0, real_columns = 0;
+  std::vector<std::int64_t> integers;  ///< count x integer_columns, row by row; blank = 0
+  std::vector<double> reals;           ///< count x real_columns, row by row; blank = 0
+  std::vector<std::uint32_t> lines;    ///< count
+};
 
 /// A field of a row in the text, and what is added to the ids in it.
 struct RowColumn {
