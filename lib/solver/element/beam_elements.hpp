@@ -6,8 +6,8 @@
 
 #include "base/ids.hpp"
 #include "solver/discrete/beam_arms.hpp"
-#include "solver/state/assembly.hpp"
 #include "solver/element/beam.hpp"
+#include "solver/state/assembly.hpp"
 #include "solver/state/mass_scaling.hpp"
 #include "solver/state/motion.hpp"
 #include "solver/state/state.hpp"

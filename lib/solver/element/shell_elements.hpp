@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "solver/state/assembly.hpp"
 #include "solver/element/shell.hpp"
+#include "solver/state/assembly.hpp"
 #include "solver/state/mass_scaling.hpp"
 #include "solver/state/summary.hpp"
 
