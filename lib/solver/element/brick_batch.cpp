@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/quadrature/brick_lanes.hpp"
+#include "solver/state/batch_rows.hpp"
 #include "solver/state/tensor_lanes.hpp"
 
 namespace gapcheck::solver {
@@ -231,23 +232,6 @@ GAPCHECK_FOUR_LANES void end_four(BrickBatch& q, const Constants& c) { end_batch
 GAPCHECK_EIGHT_LANES void begin_eight(BrickBatch& q, const Constants& c, double dt) { begin_batch(q, c, dt); }
 GAPCHECK_EIGHT_LANES void end_eight(BrickBatch& q, const Constants& c) { end_batch(q, c); }
 #endif
-
-/// Bricks beyond the last one repeat it: what is calculated of them does not matter, but must not be slow.
-void pad(Row& row, std::size_t size) {
-  std::fill(row.begin() + static_cast<std::ptrdiff_t>(size), row.end(), row[size - 1]);
-}
-template <std::size_t N>
-void pad(std::array<Row, N>& rows, std::size_t size) {
-  for (Row& row : rows) pad(row, size);
-}
-template <std::size_t N>
-void pad(std::array<Rows, N>& rows, std::size_t size) {
-  for (Rows& each : rows) pad(each, size);
-}
-
-void put(Rows& rows, std::size_t i, const Vector& p) { store(rows, i, {p.x(), p.y(), p.z()}); }
-
-Vector get(const Rows& rows, std::size_t i) { return {rows[0][i], rows[1][i], rows[2][i]}; }
 
 Symmetric get(const BrickBatch::Six& rows, std::size_t i) {
   return {rows[0][i], rows[1][i], rows[2][i], rows[3][i], rows[4][i], rows[5][i]};

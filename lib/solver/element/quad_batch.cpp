@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/triple.hpp"
+#include "solver/state/batch_rows.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -281,20 +282,6 @@ GAPCHECK_FOUR_LANES void end_four(QuadBatch& q, const Constants& c) { end_batch(
 GAPCHECK_EIGHT_LANES void begin_eight(QuadBatch& q, const Constants& c, double dt) { begin_batch(q, c, dt); }
 GAPCHECK_EIGHT_LANES void end_eight(QuadBatch& q, const Constants& c) { end_batch(q, c); }
 #endif
-
-/// Quads beyond the last one repeat it: what is calculated of them does not matter, but must not be slow.
-void pad(Row& row, std::size_t size) {
-  std::fill(row.begin() + static_cast<std::ptrdiff_t>(size), row.end(), row[size - 1]);
-}
-
-template <std::size_t N>
-void pad(std::array<Row, N>& rows, std::size_t size) {
-  for (Row& row : rows) pad(row, size);
-}
-
-void put(Rows& rows, std::size_t i, const Vector& p) { store(rows, i, {p.x(), p.y(), p.z()}); }
-
-Vector get(const Rows& rows, std::size_t i) { return {rows[0][i], rows[1][i], rows[2][i]}; }
 
 }  // namespace
 
