@@ -96,5 +96,20 @@ TEST(PiecesOfSkewQuads, EdgesAndCornersToTheLastBit) {
   }
 }
 
+/// A corner that is nearer than the bound by 3 · 2^-106, less than the error of 106 bits: no proof may call it apart.
+TEST(PiecesOfUndecidedEdges, AreLeftToExactNumbers) {
+  const double x = 1 - 0x1p-53, y = 0x1p-26 * x;  // x² + y² = 1 - 3 · 2^-106 + 2^-158
+  const Facet quad{{Vector(x, y, 0), Vector(3, y, 0), Vector(3, 3, 0), Vector(x, 3, 0)}, false};
+  const Facet triangle{{quad.x[0], quad.x[1], quad.x[3], quad.x[3]}, true};
+  const Vector query = Vector::Zero();
+  EXPECT_EQ(precise::quad_verdict(quad, query, 3, 1, std::nullopt), Verdict::open);
+  EXPECT_EQ(precise::triangle_edges_verdict(triangle, query, 3, 1), Verdict::open);
+  for (const Facet& facet : {quad, triangle}) {
+    EXPECT_TRUE(decide(facet, query, 1, Mode::filtered).closer);
+    EXPECT_TRUE(decide(facet, query, 1, Mode::exact).closer);
+    EXPECT_FALSE(decide(facet, query, x, Mode::filtered).closer);
+  }
+}
+
 }  // namespace
 }  // namespace gapcheck::geometry::test::pieces_test
