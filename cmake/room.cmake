@@ -1,10 +1,13 @@
-# gapcheck_room(NAME SOURCES file… DEPENDS target…): one folder of lib/ as one static library gapcheck_NAME.
+# gapcheck_room(NAME SOURCES file… DEPENDS target…): one folder of lib/ as one static library gapcheck_NAME. It can be linked
+# into a shared library too, the Python module. Hidden symbols cost nothing there: no call takes a detour.
 function(gapcheck_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(gapcheck_${name} STATIC ${ROOM_SOURCES})
   target_link_libraries(gapcheck_${name} PUBLIC ${ROOM_DEPENDS} PRIVATE $<BUILD_INTERFACE:gapcheck_flags> ${ROOM_PRIVATE_DEPENDS})
   target_include_directories(gapcheck_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>)
   target_compile_features(gapcheck_${name} PUBLIC cxx_std_20)
+  set_target_properties(gapcheck_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                        VISIBILITY_INLINES_HIDDEN ON)
   if(name IN_LIST GAPCHECK_PLAIN)
     set_target_properties(gapcheck_${name} PROPERTIES UNITY_BUILD OFF)
   endif()
