@@ -3,6 +3,7 @@
 A page marks the place of a table NAME with <!-- NAME: begin --> and <!-- NAME: end -->.
 """
 
+import datetime
 import os
 import pathlib
 import platform
@@ -40,7 +41,20 @@ def measure(command, runs):
     return min(times), statistics.median(times), max(rss for _, rss, _ in samples)
 
 
+def commit():
+    """The commit that is measured, marked if code differs from it; empty outside a repository."""
+    def git(*arguments):
+        return subprocess.run(["git", *arguments], cwd=pathlib.Path(__file__).parents[2], capture_output=True, text=True)
+    try:
+        name = git("rev-parse", "--short", "HEAD").stdout.strip()
+        changed = git("diff", "--quiet", "HEAD", "--", "lib", "apps", "tests", "cmake").returncode == 1
+    except OSError:
+        return ""
+    return name + " with changes" if name and changed else name
+
+
 def machine():
+    """Processor, system, day and commit: what a table of times is worth nothing without."""
     model = platform.processor() or "unknown processor"
     try:
         for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
@@ -49,4 +63,8 @@ def machine():
                 break
     except OSError:
         pass
-    return f"{model}, {os.cpu_count()} processors, {platform.system()} {platform.release().split('-')[0]}"
+    parts = [f"{model}, {os.cpu_count()} processors, {platform.system()} {platform.release().split('-')[0]}",
+             datetime.date.today().isoformat()]
+    if now := commit():
+        parts.append(f"commit {now}")
+    return ", ".join(parts)
