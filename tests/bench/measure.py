@@ -100,6 +100,20 @@ def speeds(arguments, n, cycles, jobs, far):
     return found
 
 
+def bricks(arguments, n, cycles):
+    """A sentence: brick cycles per second of a block of n x n x n bricks, without contact."""
+    rates = []
+    for jobs in (1, os.cpu_count()):
+        found = []
+        for _ in range(arguments.runs):
+            out = subprocess.run([arguments.solver_speed, "bricks", str(n), str(cycles), str(jobs)], check=True,
+                                 capture_output=True, text=True).stdout
+            found.append(float(re.search(r"bricks: ([\d.]+) million", out).group(1)))
+        rates.append(statistics.median(found))
+    return (f"A block of {n ** 3:,} bricks with one point, without contact: {rates[0]:.2f} million brick cycles per second "
+            f"with one thread, {rates[1]:.2f} million with {os.cpu_count()}.")
+
+
 def solver(arguments):
     """Shell cycles per second; the cases in turn, so that all of them see the same machine."""
     n = arguments.plates
@@ -147,7 +161,7 @@ def main():
     tables = {"timings": lambda: [caption, "", *table(arguments)], "rules": lambda: rules(arguments),
               "stages": lambda: stages(arguments), "messag": lambda: messag(arguments),
               "solver": lambda: [machine() + f"; medians of {arguments.runs} runs, the cases in turn.", "",
-                                 *solver(arguments)]}
+                                 *solver(arguments), "", bricks(arguments, 30, 100)]}
     for name in arguments.only:
         text = section(name, text, "\n".join(tables[name]()))
     arguments.doc.write_text(text, encoding="utf-8")
