@@ -15,11 +15,19 @@ class DeckFiles {
   explicit DeckFiles(const keyword::ReadOptions& options) : options_(options) {}
   /// Paths of the files that a deck includes, directly or indirectly, once per inclusion. None if it cannot be read;
   /// faults are reported when it is read for its own sake.
-  [[nodiscard]] const std::vector<std::string>& includes(const std::string& deck);
+  [[nodiscard]] const std::vector<std::string>& includes(const std::string& deck) { return known(deck).includes; }
+  /// True if comments of the deck say something to gapcheck.
+  [[nodiscard]] bool has_directives(const std::string& deck) { return known(deck).directives; }
 
  private:
+  struct Known {
+    std::vector<std::string> includes;
+    bool directives = false;
+  };
+  const Known& known(const std::string& deck);
+
   const keyword::ReadOptions& options_;
-  std::map<std::string, std::vector<std::string>> includes_;  ///< by deck
+  std::map<std::string, Known> known_;  ///< by deck
 };
 
 }  // namespace gapcheck::app

@@ -19,6 +19,8 @@ class Failures {
   }
   /// Counts errors among diagnostics that are printed elsewhere.
   void count(const Diagnostics& diagnostics) { any_ = any_ || diagnostics.has_errors(); }
+  /// Counts those that others have printed.
+  void count(const Failures& others) { any_ = any_ || others.any_; }
   [[nodiscard]] bool any() const { return any_; }
 
  private:

@@ -84,6 +84,18 @@ void add_work(CLI::App& command, AuditArguments& arguments) {
   for (CLI::Option* option : options) option->group("Reading and work");
 }
 
+void add_campaign(CLI::App& command, AuditArguments& arguments, std::string& shard) {
+  command.add_option("--shard", shard, "Only the K-th of N shares of the decks: one of N jobs")
+      ->check(CLI::Validator(check_shard, ""))
+      ->type_name("K/N")
+      ->group("Campaigns");
+  command
+      .add_option("--results", arguments.results,
+                  "Keep what is found in each deck there: for gapcheck merge, and to continue after an interruption")
+      ->type_name("FILE")
+      ->group("Campaigns");
+}
+
 /// The local day, not UTC: ignores apply until the end of their last day.
 std::chrono::sys_days today() {
   const std::time_t now = std::time(nullptr);
@@ -108,8 +120,11 @@ void add_audit(CLI::App& app, Action& action) {
   add_exports(*command, arguments->exports);
   add_settings(*command, arguments->settings_file);
   add_work(*command, *arguments);
-  command->callback([&action, arguments, command] {
-    action = [arguments, command] {
+  const auto shard = std::make_shared<std::string>();
+  add_campaign(*command, *arguments, *shard);
+  command->callback([&action, arguments, shard, command] {
+    action = [arguments, shard, command] {
+      if (!shard->empty()) arguments->shard = read_shard(*shard).value_or(Shard());
       arguments->selection = selects(arguments->audit);
       arguments->baseline.by_settings = arguments->baseline.compare.empty();
       Failures failures(print);

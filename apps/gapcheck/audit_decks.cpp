@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "audit/registry.hpp"
-#include "base/file_writer.hpp"
 #include "base/parallel.hpp"
+#include "campaign/deck_key.hpp"
+#include "campaign/deck_results.hpp"
+#include "campaign/results_file.hpp"
+#include "campaign/stored_results.hpp"
 #include "commands.hpp"
 #include "common/freed_memory.hpp"
 #include "common/version.hpp"
@@ -19,7 +22,6 @@
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/html/html_index.hpp"
 #include "report/item/describe.hpp"
 
 namespace gapcheck::app {
@@ -58,7 +60,8 @@ AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) 
 
 /// Every file that the call writes.
 std::vector<PlannedOutput> files_written(const AuditArguments& arguments, const std::vector<std::string>& decks) {
-  std::vector<PlannedOutput> outputs{{"--output", arguments.output.output}, {"--html-index", arguments.html_index}};
+  std::vector<PlannedOutput> outputs{
+      {"--output", arguments.output.output}, {"--html-index", arguments.html_index}, {"--results", arguments.results}};
   for (const std::string& deck : decks) {
     const AuditArguments own = arguments_for(deck, arguments);
     outputs.push_back({"--html", own.output.html, deck});
@@ -122,101 +125,186 @@ std::string reason_of(const Diagnostic& why) {
   return (place.empty() ? "" : place + ": ") + report::printable(why.message);
 }
 
+/// What a deck's result depends on besides its files and options: the program and the files that belong to the deck.
+std::vector<std::string> other_dependences(AuditArguments& own) {
+  std::vector<std::string> texts{version_line("gapcheck"), own.settings.path, own.baseline.compare};
+  for (const std::string* name : names_of(own)) texts.push_back(*name);
+  return texts;
+}
+
+/// True if the files that belong to a deck alone are there.
+bool own_files_exist(AuditArguments& own) {
+  const auto names = names_of(own);
+  std::error_code failed;
+  return std::all_of(names.begin(), names.end(),
+                     [&](const std::string* name) { return name->empty() || fs::exists(*name, failed); });
+}
+
+/// The decks of one call, or of a shard of them.
+struct ChosenDecks {
+  std::vector<std::string> decks;        ///< paths
+  std::vector<std::uint64_t> positions;  ///< of each, in the whole list
+  DeckListId call;                       ///< of the whole list
+};
+
 /// The decks of one call, one after the other.
 class Run {
  public:
-  Run(AuditArguments arguments, std::vector<std::string> decks)
-      : arguments_(std::move(arguments)), decks_(std::move(decks)) {}
+  /// `stored`: the results of earlier calls, to which new ones are added; none: not requested.
+  Run(AuditArguments arguments, ChosenDecks decks, DeckFiles& files, std::optional<ResultsFile> stored)
+      : arguments_(std::move(arguments)), decks_(std::move(decks)), files_(files), stored_(std::move(stored)) {}
 
   int run() {
-    for (const std::string& deck : decks_) audit(deck);
-    if (reports_.empty() && !several()) return failed;
-    check_ids();
-    if (const std::string& index = arguments_.html_index; !index.empty())
-      failures_.add(write_file(index, report::html_index({reports_, unread_}, index, version())));
-    failures_.add(write({reports_, unread_}, arguments_.output));
-    if (failures_.any()) return failed;
-    int code = clean;
-    for (const Report& report : reports_) code = std::max(code, exit_code(report, arguments_.output.fail_on));
-    return code;
+    for (std::size_t i = 0; i < decks_.decks.size(); ++i) take_or_audit(i);
+    if (results_.reports.empty() && !several()) return failed;
+    if (arguments_.shard.whole())
+      check_ids(results_, {arguments_.audit.contacts, arguments_.audit.parts}, several(), failures_);
+    return write_results(results_, arguments_.output, arguments_.html_index, failures_);
   }
 
  private:
-  [[nodiscard]] bool several() const { return decks_.size() > 1; }
+  [[nodiscard]] bool several() const { return decks_.call.count > 1; }
 
-  /// Nothing is found in contacts and parts that do not exist.
-  void check_ids() {
-    check("--contact", "contact", arguments_.audit.contacts, has_contact);
-    check("--part", "part", arguments_.audit.parts, has_part);
+  /// The stored result of a deck if it holds, or a new one.
+  void take_or_audit(std::size_t i) {
+    const std::string& deck = decks_.decks[i];
+    AuditArguments own = arguments_for(deck, arguments_);
+    AuditedDeck audited;
+    audited.deck = deck;
+    audited.position = decks_.positions[i];
+    audited.asked = {own.audit.contacts, own.audit.parts};
+    if (stored_) {
+      audited.key = key_of(deck, own.audit, own.baseline.compare, other_dependences(own), files_);
+      if (take_stored(own, audited)) return;
+    }
+    audit(std::move(own), audited);
   }
-  static bool has_contact(const Report& report, std::int64_t id) {
-    return std::any_of(report.contacts.begin(), report.contacts.end(),
-                       [id](const ContactSummary& summary) { return summary.id == id; });
+
+  /// True if an earlier call has audited the same deck in the same way, and its own files are there.
+  bool take_stored(AuditArguments& own, const AuditedDeck& wanted) {
+    std::optional<DeckResult> entry = stored_->find(wanted.deck);
+    if (!entry || entry->failed || entry->key != wanted.key || !own_files_exist(own)) return false;
+    auto report = report_of(*entry, arguments_.results);
+    if (!report) return false;
+    print_again(*entry, own.output.text.quiet);
+    results_.reports.push_back(std::move(report).value());
+    if (entry->call == decks_.call && entry->position == wanted.position) return true;
+    entry->call = decks_.call;
+    entry->position = wanted.position;
+    failures_.add(stored_->add(*entry));
+    return true;
   }
-  static bool has_part(const Report& report, std::int64_t id) {
-    return std::find(report.unknown_parts.begin(), report.unknown_parts.end(), id) == report.unknown_parts.end();
-  }
-  template <class Has>
-  void check(std::string_view option, std::string_view thing, const std::vector<std::int64_t>& ids, const Has& has) {
-    for (const std::int64_t id : ids)
-      if (!reports_.empty() &&
-          std::none_of(reports_.begin(), reports_.end(), [&](const Report& r) { return has(r, id); }))
-        failures_.add(plain_error(fmt::format(
-            "{} {}: {} {}", option, id, several() ? "none of the decks has such a" : "the deck has no such", thing)));
+
+  void keep(const AuditedDeck& audited) {
+    if (stored_) failures_.add(stored_->add(entry_of(audited, decks_.call)));
   }
 
   /// Reads and audits one deck and writes its own files.
-  void audit(const std::string& deck) {
-    AuditArguments own = arguments_for(deck, arguments_);
+  void audit(AuditArguments own, AuditedDeck& audited) {
+    const std::string& deck = audited.deck;
     // Before the work: a baseline that cannot be read makes it worthless.
     const auto baseline = read(own.baseline);
-    if (!baseline) return unread(deck, baseline.error());
+    if (!baseline) return unread(baseline.error(), audited);
     Diagnostics diagnostics;
+    audited.diagnostics = &diagnostics;
     auto result = [&] {
-      const std::size_t number = reports_.size() + unread_.size() + 1;
-      const std::string place = several() ? fmt::format(" ({} of {})", number, decks_.size()) : "";
+      const std::size_t number = results_.reports.size() + results_.unread.size() + 1;
+      const std::string place = several() ? fmt::format(" ({} of {})", number, decks_.decks.size()) : "";
       const Progress progress("auditing " + report::printable(deck) + place, !own.output.text.quiet);
       return audit::audit_deck(deck, own.audit, diagnostics);
     }();
     print(diagnostics, own.output.text.quiet);
-    failures_.count(diagnostics);
-    if (!result) return unread(deck, result.error());
-    Report& report = reports_.emplace_back(std::move(result).value());
+    if (!result) return unread(result.error(), audited);
+    Report& report = results_.reports.emplace_back(std::move(result).value());
     if (const std::string& settings = own.settings.path; !settings.empty()) {
       report.settings = settings;
       report.statistics.emplace_back("settings file", settings);
     }
     compare(
         baseline.value(), [&own](const KnownFinding& known) { return looked_for(known, own.audit); }, report);
+    Failures failures(print);
+    failures.count(diagnostics);
+    write_own_files(own, !diagnostics.has_errors(), report, failures);
+    audited.report = &report;
+    audited.failed = failures.any();
+    failures_.count(failures);
+    keep(audited);
+  }
+
+  /// `read`: without errors.
+  void write_own_files(AuditArguments& own, bool read, Report& report, Failures& failures) {
     const auto& contacts = own.audit.contacts;
     const bool known =
         report.unknown_parts.empty() &&
         std::all_of(contacts.begin(), contacts.end(), [&report](std::int64_t id) { return has_contact(report, id); });
-    const bool whole = !diagnostics.has_errors() && (several() || known);
+    const bool whole = read && (several() || known);
     // Every record of a deck knows where its node is.
     const auto position = [](std::int64_t) { return std::nullopt; };
     const Status made = make_folders(arguments_, own);
     const Status page = made.ok() ? write_page(report, own.output, position) : made;
-    failures_.add(page);
+    failures.add(page);
     if (page.ok()) report.page = own.output.html;
-    failures_.add(write(report, own.baseline, whole));
-    write(report, own.exports, position, failures_);
+    failures.add(write(report, own.baseline, whole));
+    write(report, own.exports, position, failures);
     report.scene.reset();
     report.mesh.reset();
     for (Finding& finding : report.findings) finding.members = {};
   }
 
-  void unread(const std::string& deck, const Diagnostic& why) {
+  void unread(const Diagnostic& why, AuditedDeck& audited) {
     failures_.add(why);
-    unread_.push_back({deck, reason_of(why)});
+    audited.unread = reason_of(why);
+    audited.why = &why;
+    audited.failed = true;
+    results_.unread.push_back({audited.deck, audited.unread});
+    keep(audited);
   }
 
   AuditArguments arguments_;
-  std::vector<std::string> decks_;
-  std::vector<Report> reports_;
-  std::vector<report::Unread> unread_;
+  ChosenDecks decks_;
+  DeckFiles& files_;
+  std::optional<ResultsFile> stored_;
+  DeckResults results_;
   Failures failures_{print};
 };
+
+/// The decks of the shard.
+ChosenDecks chosen(const std::vector<std::string>& all, const Shard& shard, DeckFiles& files) {
+  ChosenDecks chosen;
+  chosen.call = id_of_list(all);
+  const std::vector<std::uint64_t> sizes =
+      shard.whole() ? std::vector<std::uint64_t>(all.size()) : sizes_of(all, files);
+  for (const std::size_t i : share_of(sizes, shard)) {
+    chosen.decks.push_back(all[i]);
+    chosen.positions.push_back(i);
+  }
+  return chosen;
+}
+
+/// Opens the file of results and audits. A share without decks is done at once.
+int audit_all(AuditArguments arguments, ChosenDecks decks, DeckFiles& files) {
+  const bool quiet = arguments.output.text.quiet;
+  std::optional<ResultsFile> stored;
+  if (!arguments.results.empty()) {
+    auto opened = ResultsFile::open(arguments.results);
+    if (!opened) {
+      print(opened.error());
+      return failed;
+    }
+    if (opened.value().cut_off() > 0 && !quiet)
+      print(Diagnostic{Severity::note, arguments.results, 0,
+                       "the last result was not written to its end, and its deck is audited again"});
+    stored.emplace(std::move(opened).value());
+  }
+  if (decks.decks.empty()) {
+    if (!quiet)
+      print(Diagnostic{Severity::note, "", 0,
+                       fmt::format("share {} of {} has no decks: there are only {}", arguments.shard.number,
+                                   arguments.shard.count, decks.call.count)});
+    return clean;
+  }
+  return Run(std::move(arguments), std::move(decks), files, std::move(stored)).run();
+}
 
 }  // namespace
 
@@ -245,7 +333,8 @@ int audit_decks(AuditArguments arguments) {
   constexpr std::uint64_t kept_for_others = std::uint64_t{1} << 30;
   if (list.decks.size() > 1) cache.keep_included(kept_for_others);
   const JobLimit limit(arguments.jobs);
-  return Run(std::move(arguments), list.decks).run();
+  ChosenDecks decks = chosen(list.decks, arguments.shard, files);
+  return audit_all(std::move(arguments), std::move(decks), files);
 }
 
 }  // namespace gapcheck::app

@@ -5,6 +5,7 @@
 
 #include "audit/audit.hpp"
 #include "baseline_options.hpp"
+#include "campaign/shard.hpp"
 #include "options.hpp"
 #include "settings/settings.hpp"
 
@@ -21,6 +22,8 @@ struct AuditArguments {
   ExportOptions exports;
   BaselineOptions baseline;
   std::string html_index;  ///< path of the page about all decks; empty: not requested
+  std::string results;     ///< path of the file that keeps what is found in each deck; empty: not requested
+  Shard shard;             ///< which of the decks
   SettingsOptions settings_file;
   Settings settings;       ///< what that file says besides options
   bool selection = false;  ///< the command line leaves something out; what settings leave out does not count
@@ -30,8 +33,8 @@ struct AuditArguments {
 /// True if the options leave anything out.
 [[nodiscard]] bool selects(const audit::AuditOptions& audit);
 
-/// Audits the decks one after the other and writes the requested output; returns the exit code. Files that hold one
-/// deck's results have {deck} in their name if there are several.
+/// Audits the decks one after the other, of a shard only its own, and writes the requested output; the exit code. Files
+/// that hold one deck's results have {deck} in their name if there are several.
 [[nodiscard]] int audit_decks(AuditArguments arguments);
 
 }  // namespace gapcheck::app

@@ -50,6 +50,7 @@ void add_commands(CLI::App& app, Action& action) {
   app.set_version_flag("--version", version_line("gapcheck"));
   app.require_subcommand(1);
   add_audit(app, action);
+  add_merge(app, action);
   add_messag(app, action);
   add_compare(app, action);
   add_run(app, action);

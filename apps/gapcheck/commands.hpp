@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 
 // Each adds its subcommand, which sets `action` when chosen.
 void add_audit(CLI::App& app, Action& action);
+void add_merge(CLI::App& app, Action& action);
 void add_messag(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);

@@ -48,11 +48,12 @@ std::size_t Output::width() const {
 
 void print(const Diagnostic& diagnostic) { std::fputs(line_of("gapcheck", diagnostic).c_str(), stderr); }
 
-void print(const Diagnostics& diagnostics, bool quiet) {
-  for (const Diagnostic& diagnostic : diagnostics.sorted())
+void print(const Diagnostics& diagnostics, bool quiet) { print(diagnostics.sorted(), diagnostics.dropped(), quiet); }
+
+void print(std::span<const Diagnostic> diagnostics, std::size_t more, bool quiet) {
+  for (const Diagnostic& diagnostic : diagnostics)
     if (!quiet || diagnostic.severity == Severity::error) print(diagnostic);
-  if (const std::size_t more = diagnostics.dropped(); more > 0)
-    std::fputs(fmt::format("gapcheck: … and {} more messages\n", more).c_str(), stderr);
+  if (more > 0) std::fputs(fmt::format("gapcheck: … and {} more messages\n", more).c_str(), stderr);
 }
 
 }  // namespace gapcheck::app

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -34,5 +35,7 @@ void print(const Diagnostic& diagnostic);
 
 /// All diagnostics, errors first; with `quiet` only the errors.
 void print(const Diagnostics& diagnostics, bool quiet);
+/// The same of a list in that order. `more`: how many are not in it.
+void print(std::span<const Diagnostic> diagnostics, std::size_t more, bool quiet);
 
 }  // namespace gapcheck::app

@@ -46,7 +46,7 @@ class FileReader {
     while (!lines_.done()) {
       const std::string_view line = lines_.line();
       release_before(before.empty() ? line : before);
-      if (is_candidate(line) && dispatch(line, before)) {
+      if (dispatch(line, before)) {
         recognised_ = true;
         before = line;
         continue;
@@ -60,8 +60,6 @@ class FileReader {
   }
 
  private:
-  static bool is_candidate(std::string_view line) { return line.find_first_not_of(" \t") != std::string_view::npos; }
-
   /// Line numbers are kept, text already read is not: memory grows only with what is found. `view`: the first text
   /// that is still used.
   void release_before(std::string_view view) {

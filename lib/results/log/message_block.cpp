@@ -14,15 +14,17 @@ namespace {
 constexpr std::size_t kept_lines = 4096;
 constexpr std::size_t indent_of_text = 3;
 
-std::size_t indent(std::string_view line) {
-  const std::size_t at = line.find_first_not_of(" \t");
-  return at == std::string_view::npos ? line.size() : at;
+/// A loop: the library's own search for one of several characters calls a function for each one that it looks at.
+inline std::size_t indent(std::string_view line) {
+  std::size_t at = 0;
+  while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
+  return at;
 }
 
 /// As trimmed(); inlined, since it is called for every line of a block.
 inline std::string_view inner(std::string_view text) {
-  std::size_t begin = 0, end = text.size();
-  while (begin < end && (text[begin] == ' ' || text[begin] == '\t')) ++begin;
+  const std::size_t begin = indent(text);
+  std::size_t end = text.size();
   while (end > begin && (text[end - 1] == ' ' || text[end - 1] == '\t')) --end;
   return text.substr(begin, end - begin);
 }

@@ -200,7 +200,11 @@ struct PenetrationReader {
       result.awaits_more = true;
     } else {
       under = Heading::none;
-      for (const Field& one : fields(text)) number(one);
+      const bool alone = entry->value.find('=') == std::string_view::npos;
+      if (alone)
+        number(*entry);
+      else
+        for (const Field& one : fields(text)) number(one);
       result.awaits_more = !unfinished.empty();
     }
   }
