@@ -13,6 +13,7 @@
 namespace gapcheck::api {
 namespace {
 
+/// The settings refer to the options.
 Result<audit::AuditOptions> settings_of(const AuditOptions& options) {
   OptionCheck check;
   check.rules("select", options.select, false);
@@ -43,6 +44,11 @@ Result<audit::AuditOptions> settings_of(const AuditOptions& options) {
   settings.millimetre = options.millimetre.value_or(0);
   settings.exact = options.exact;
   settings.scene = options.picture;
+  settings.mesh = options.mesh;
+  if (options.watch)
+    settings.watch = [&options](const audit::AuditStep& step) {
+      return options.watch({step.name, step.done, step.all});
+    };
   return settings;
 }
 

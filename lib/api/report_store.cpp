@@ -1,7 +1,10 @@
 #include "api/report_store.hpp"
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "api/convert.hpp"
@@ -81,6 +84,29 @@ Timesteps timesteps_of(const gapcheck::Timesteps& from) {
   return steps;
 }
 
+static_assert(static_cast<int>(ElementKind::shell) == static_cast<int>(MeshElement::shell) &&
+              static_cast<int>(ElementKind::solid) == static_cast<int>(MeshElement::solid) &&
+              static_cast<int>(ElementKind::thick_shell) == static_cast<int>(MeshElement::thick_shell) &&
+              static_cast<int>(ElementKind::beam) == static_cast<int>(MeshElement::beam) &&
+              static_cast<int>(ElementKind::particle) == static_cast<int>(MeshElement::particle) &&
+              sizeof(Vector) == 3 * sizeof(double) && sizeof(ElementKind) == sizeof(MeshElement));
+
+Mesh mesh_view(const ElementMesh& from) {
+  Mesh mesh;
+  mesh.node = from.node_ids;
+  // Points are three numbers each, one behind the other.
+  if (!from.x.empty()) mesh.points = {from.x.front().data(), 3 * from.x.size()};
+  mesh.corners = from.corners;
+  mesh.ends = from.ends;
+  mesh.kind = {reinterpret_cast<const ElementKind*>(from.kinds.data()), from.kinds.size()};
+  mesh.element = from.element_ids;
+  mesh.part = from.part_ids;
+  mesh.contact = from.contact_ids;
+  mesh.thickness = from.thickness;
+  mesh.left_out = from.left_out;
+  return mesh;
+}
+
 SolverRun::Termination termination_of(gapcheck::SolverRun::Termination from) {
   switch (from) {
     case gapcheck::SolverRun::Termination::normal:
@@ -135,6 +161,7 @@ Report report_of(gapcheck::Report from, const gapcheck::Diagnostics& diagnostics
   report.ignored = internal.ignored.size();
   if (internal.predicted) report.predicted = timesteps_of(*internal.predicted);
   if (internal.run) report.run = run_of(*internal.run);
+  if (internal.mesh) report.mesh = mesh_view(*internal.mesh);
   report.complete = !diagnostics.has_errors();
   report.diagnostics = listed(diagnostics);
   report.diagnostics_left_out = diagnostics.dropped();

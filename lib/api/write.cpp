@@ -6,6 +6,7 @@
 #include "api/convert.hpp"
 #include "api/report_store.hpp"
 #include "audit/registry.hpp"
+#include "report/export/finding_grid.hpp"
 #include "report/format/formats.hpp"
 #include "report/html/html.hpp"
 #include "report/write/writers.hpp"
@@ -52,6 +53,8 @@ std::string write(const Report& report, Format format, const WriteOptions& optio
       return text_of(internal, options);
     case Format::html:
       return page_of(internal);
+    case Format::vtu:
+      return report::vtu(report::finding_grid(internal, {}));
     case Format::json:
       report::json(internal, sink, options.statistics);
       break;

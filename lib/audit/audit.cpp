@@ -182,8 +182,10 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
     report.statistics.emplace_back("keyword skipped: " + keyword, fmt::format("{}", blocks));
 }
 
-Report make_report(const std::string& input, const keyword::Deck& deck, const model::Model& model,
-                   const AuditOptions& options, Diagnostics& diagnostics) {
+Diagnostic stopped() { return plain_error("the audit was stopped"); }
+
+Result<Report> make_report(const std::string& input, const keyword::Deck& deck, const model::Model& model,
+                           const AuditOptions& options, AuditSteps& steps, Diagnostics& diagnostics) {
   Report report;
   report.source = "deck";
   report.input = input;
@@ -195,7 +197,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   SharedResults results(selection);
   RuleLog log;
   Context context(deck, selection, results, log);
-  run_rules(context, log, report);
+  if (!run_rules(context, steps, log, report) || !steps.begin("records")) return stopped();
   std::size_t found = 0;
   if (selection.records_wanted() || results.initialised()) {
     contact::InitialState& initial = results.initial();
@@ -238,9 +240,16 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   return report;
 }
 
-Result<Report> audit(Result<keyword::Deck> deck, Clock::time_point start, const std::string& input,
-                     const AuditOptions& options, Diagnostics& diagnostics) {
+/// `read`: gives the deck.
+template <class Read>
+Result<Report> audit(const Read& read, const std::string& input, const AuditOptions& options,
+                     Diagnostics& diagnostics) {
+  const auto start = Clock::now();
+  AuditSteps steps(options.watch, selected_rules(options) + 3);  // read, model, records
+  if (!steps.begin("read")) return stopped();
+  Result<keyword::Deck> deck = read();
   if (!deck) return deck.error();
+  if (!steps.begin("model")) return stopped();
   keyword::note_missing_end(deck.value(), diagnostics);
   const double read_s = since(start);
   const auto model_start = Clock::now();
@@ -249,24 +258,24 @@ Result<Report> audit(Result<keyword::Deck> deck, Clock::time_point start, const 
   deck.value().drop_text(model::is_mesh);
   model::assume(options.as_if, model.value());
   const double model_s = since(model_start);
-  Report report = make_report(input, deck.value(), model.value(), options, diagnostics);
-  report.timing.read_s = read_s;
-  report.timing.model_s = model_s;
-  report.timing.total_s = since(start);
+  Result<Report> report = make_report(input, deck.value(), model.value(), options, steps, diagnostics);
+  if (!report) return report;
+  Timing& timing = report.value().timing;
+  timing.read_s = read_s;
+  timing.model_s = model_s;
+  timing.total_s = since(start);
   return report;
 }
 
 }  // namespace
 
 Result<Report> audit_deck(const std::string& path, const AuditOptions& options, Diagnostics& diagnostics) {
-  const auto start = Clock::now();
-  return audit(keyword::read_deck(path, options.read, diagnostics), start, path, options, diagnostics);
+  return audit([&] { return keyword::read_deck(path, options.read, diagnostics); }, path, options, diagnostics);
 }
 
 Result<Report> audit_text(std::string text, const std::string& name, const AuditOptions& options,
                           Diagnostics& diagnostics) {
-  const auto start = Clock::now();
-  return audit(keyword::read_deck_text(std::move(text), name, options.read, diagnostics), start, name, options,
+  return audit([&] { return keyword::read_deck_text(std::move(text), name, options.read, diagnostics); }, name, options,
                diagnostics);
 }
 

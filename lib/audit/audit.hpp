@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/audit_steps.hpp"
 #include "audit/ignores.hpp"
 #include "audit/threshold.hpp"
 #include "base/diagnostic.hpp"
@@ -33,10 +34,11 @@ struct AuditOptions {
   bool mesh = false;         ///< fill Report::mesh
   bool members = false;      ///< fill Finding::members
   bool portability = false;  ///< --portability: fill Report::portability
+  AuditWatch watch;          ///< empty: nobody watches
 };
 
 /// Reads a deck and reports everything that the selected rules find. Errors: the deck cannot be read at all; other
-/// input errors are in `diagnostics` (then exit code 2, but the report has what could be audited).
+/// input errors are in `diagnostics` (then exit code 2, but the report has what could be audited); `watch` stopped it.
 Result<Report> audit_deck(const std::string& path, const AuditOptions& options, Diagnostics& diagnostics);
 
 /// The same for a deck in memory.

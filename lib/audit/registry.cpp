@@ -40,6 +40,10 @@ bool matches(const RuleIdentity& rule, std::string_view pattern) {
   return !pattern.empty() && (begins(rule.id) || begins(rule.name));
 }
 
+bool runs_on_decks(const Rule& rule, const AuditOptions& options) {
+  return rule.judge == nullptr && rule.review == nullptr && selected(rule.identity, options.select, options.ignore);
+}
+
 }  // namespace
 
 std::span<const RuleIdentity> rules() {
@@ -96,15 +100,21 @@ std::string_view page(const RuleIdentity& rule) {
   return {};
 }
 
-void run_rules(Context& context, RuleLog& log, Report& report) {
-  const AuditOptions& options = context.options();
+std::size_t selected_rules(const AuditOptions& options) {
+  const auto all = all_rules();
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [&](const Rule* rule) { return runs_on_decks(*rule, options); }));
+}
+
+bool run_rules(Context& context, AuditSteps& steps, RuleLog& log, Report& report) {
   for (const Rule* rule : all_rules()) {
-    if (rule->judge != nullptr || rule->review != nullptr) continue;
-    if (!selected(rule->identity, options.select, options.ignore)) continue;
+    if (!runs_on_decks(*rule, context.options())) continue;
+    if (!steps.begin(rule->identity.id)) return false;
     const std::uint64_t before = context.results().requests();
     if (rule->run != nullptr) rule->run(rule->identity, context, report);
     log.count_rule(rule->of_records() || context.results().requests() > before);
   }
+  return true;
 }
 
 void review_ignores(const AuditOptions& options, const IgnoreOutcome& ignores, Report& report) {

@@ -8,12 +8,16 @@
 
 namespace gapcheck {
 
+/// What an element of a mesh is.
+enum class MeshElement : std::uint8_t { shell, solid, thick_shell, beam, particle };
+
 /// The elements of a deck and their nodes, for post-processors. Parallel arrays; everything is finite.
 struct ElementMesh {
   std::vector<std::int64_t> node_ids;
-  std::vector<Vector> x;                            ///< beside node_ids
-  std::vector<std::uint32_t> corners;               ///< positions of nodes, element after element
-  std::vector<std::uint64_t> ends;                  ///< where each element ends in `corners`
+  std::vector<Vector> x;               ///< beside node_ids
+  std::vector<std::uint32_t> corners;  ///< positions of nodes, element after element
+  std::vector<std::uint64_t> ends;     ///< where each element ends in `corners`
+  std::vector<MeshElement> kinds;
   std::vector<std::int64_t> element_ids, part_ids;  ///< part 0: none
   std::vector<std::int64_t> contact_ids;            ///< of the first contact that has a segment of the element; 0: none
   std::vector<double> thickness;                    ///< contact thickness, the largest of all contacts; 0: none

@@ -179,6 +179,74 @@ TEST(ApiAudit, SeveritiesAndLimits) {
   EXPECT_EQ(remaining.value().penetrations.size(), 0u);
 }
 
+TEST(ApiAudit, TheMeshIsThatOfTheRooms) {
+  audit::AuditOptions internal_options;
+  internal_options.mesh = true;
+  api::AuditOptions options;
+  options.mesh = true;
+  for (const char* name : {"shell_on_solid.k", "beam_on_shell.k", "triangle.k"}) {
+    const auto report = api::audit_deck(data(name), options);
+    ASSERT_TRUE(report.ok());
+    ASSERT_TRUE(report.value().mesh.has_value()) << name;
+    const api::Mesh& mesh = *report.value().mesh;
+    const ElementMesh expected = *internal(data(name), internal_options).mesh;
+    ASSERT_EQ(mesh.size(), expected.size());
+    ASSERT_EQ(mesh.points.size(), 3 * expected.x.size());
+    for (std::size_t i = 0; i < expected.x.size(); ++i) expect_point(mesh.points, i, expected.x[i]);
+    const auto same = [](const auto& got, const auto& wanted) {
+      return std::equal(got.begin(), got.end(), wanted.begin(), wanted.end());
+    };
+    EXPECT_TRUE(same(mesh.node, expected.node_ids) && same(mesh.corners, expected.corners));
+    EXPECT_TRUE(same(mesh.ends, expected.ends) && same(mesh.element, expected.element_ids));
+    EXPECT_TRUE(same(mesh.part, expected.part_ids) && same(mesh.contact, expected.contact_ids));
+    EXPECT_TRUE(same(mesh.thickness, expected.thickness));
+    std::uint64_t begin = 0;
+    for (std::size_t i = 0; i < mesh.size(); begin = mesh.ends[i++]) {
+      const std::size_t corners[] = {4, 8, 8, 2, 1};
+      EXPECT_EQ(mesh.ends[i] - begin, corners[static_cast<std::size_t>(mesh.kind[i])]);
+    }
+  }
+  const auto without = api::audit_deck(data("triangle.k"));
+  ASSERT_TRUE(without.ok());
+  EXPECT_FALSE(without.value().mesh.has_value());
+}
+
+TEST(ApiAudit, AWatchSeesEveryStepAndChangesNothing) {
+  std::vector<std::string> steps;
+  std::size_t all = 0;
+  api::AuditOptions options;
+  options.watch = [&](const api::AuditStep& step) {
+    EXPECT_EQ(step.done, steps.size());
+    all = step.all;
+    steps.emplace_back(step.name);
+    return true;
+  };
+  const auto watched = api::audit_deck(data("two_plates.k"), options);
+  ASSERT_TRUE(watched.ok());
+  EXPECT_EQ(steps.size(), all);
+  EXPECT_GT(steps.size(), 70u);
+  EXPECT_EQ(steps.front(), "read");
+  EXPECT_EQ(steps[1], "model");
+  EXPECT_EQ(steps[2], "GC101");
+  EXPECT_EQ(steps.back(), "records");
+  expect_same(watched.value(), internal(data("two_plates.k")));
+  const auto alone = api::audit_deck(data("two_plates.k"));
+  ASSERT_TRUE(alone.ok());
+  EXPECT_EQ(api::write(watched.value(), api::Format::csv), api::write(alone.value(), api::Format::csv));
+}
+
+TEST(ApiAudit, AWatchStopsAtAnyStep) {
+  for (const char* last : {"read", "model", "GC101", "GC510", "records"}) {
+    std::string seen;
+    api::AuditOptions options;
+    options.watch = [&](const api::AuditStep& step) { return (seen = step.name) != last; };
+    const auto report = api::audit_deck(data("two_plates.k"), options);
+    ASSERT_FALSE(report.ok()) << last;
+    EXPECT_EQ(report.error().message, "the audit was stopped");
+    EXPECT_EQ(seen, last);
+  }
+}
+
 TEST(ApiAudit, ADeckInMemory) {
   const auto report = api::audit_text(content(data("two_plates.k")), "memory.k");
   ASSERT_TRUE(report.ok());

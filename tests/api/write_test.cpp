@@ -10,6 +10,7 @@
 
 #include "api/new_folder.hpp"
 #include "audit/audit.hpp"
+#include "report/export/finding_grid.hpp"
 #include "report/format/formats.hpp"
 #include "report/write/writers.hpp"
 
@@ -46,6 +47,24 @@ TEST(ApiWrite, FormatsAreThoseOfTheRooms) {
   };
   EXPECT_EQ(timeless(api::write(report.value(), Format::junit)),
             timeless(written([&](const auto& sink) { report::junit(expected, &limit, 5, sink); })));
+}
+
+TEST(ApiWrite, AGridIsThatOfTheRooms) {
+  for (const bool mesh : {false, true}) {
+    audit::AuditOptions internal_options;
+    internal_options.mesh = mesh;
+    api::AuditOptions options;
+    options.mesh = mesh;
+    for (const char* name : {"two_plates.k", "tied_then_contact.k", "shell_on_solid.k"}) {
+      Diagnostics diagnostics;
+      const auto internal = audit::audit_deck(data(name), internal_options, diagnostics);
+      const auto report = api::audit_deck(data(name), options);
+      ASSERT_TRUE(internal.ok() && report.ok());
+      const std::string grid = api::write(report.value(), Format::vtu);
+      EXPECT_EQ(grid, report::vtu(report::finding_grid(internal.value(), {})));
+      EXPECT_NE(grid.find("<VTKFile"), std::string::npos);
+    }
+  }
 }
 
 TEST(ApiWrite, EveryFormatHasTheFindings) {

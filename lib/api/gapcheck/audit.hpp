@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <gapcheck/includes.hpp>
 #include <gapcheck/report.hpp>
 #include <gapcheck/result.hpp>
@@ -12,6 +13,12 @@
 #include <vector>
 
 namespace gapcheck::api {
+
+/// A step of an audit that is about to begin.
+struct AuditStep {
+  std::string_view name;          ///< "read", "model", the id of a rule, "records" at the end
+  std::size_t done = 0, all = 0;  ///< steps
+};
 
 /// What an audit looks for and reports. The defaults are those of `gapcheck audit`; settings files and baselines are
 /// not read. Limits are numbers of 0 or more; anything else is an error.
@@ -29,15 +36,19 @@ struct AuditOptions {
   std::chrono::sys_days today{};                    ///< for ignores with a last day; 1970-01-01: none has expired
   bool exact = false;                               ///< no floating-point filter: slow, same results
   bool picture = false;                             ///< keep what Format::html needs to draw the mesh
+  bool mesh = false;                                ///< fill Report::mesh
+  /// Called before each step by the thread that audits, which waits for it. False stops the audit, which is an error
+  /// then. It must not throw. Empty: no calls.
+  std::function<bool(const AuditStep&)> watch = {};
   /// Threads at most; 0: no limit of its own. While calls run at the same time in one process, the smallest limit
   /// holds for all of them. Results do not depend on it.
   std::size_t jobs = 0;
 };
 
 /// Audits the contacts of a keyword deck and its includes. Errors: the deck cannot be opened, is a directory, empty or
-/// binary; an option that names no rule, no contact of the deck or no valid number. With faults in the deck's text or
-/// missing includes there is still a report, with Report::complete false. Nothing is written. May be called from
-/// several threads at once.
+/// binary; `watch` stopped it; an option that names no rule, no contact of the deck or no valid number. With faults in
+/// the deck's text or missing includes there is still a report, with Report::complete false. Nothing is written. May be
+/// called from several threads at once.
 ///
 ///     const auto report = gapcheck::api::audit_deck("model.k", {.select = {"GC101", "GC2"}});
 ///     if (!report) return fail(report.error());

@@ -1,9 +1,11 @@
 #pragma once
 // All of the public interface: audit a deck, read a run, compare, fix, run, write reports.
+#include <gapcheck/arrays.hpp>
 #include <gapcheck/audit.hpp>
 #include <gapcheck/compare.hpp>
 #include <gapcheck/fix.hpp>
 #include <gapcheck/includes.hpp>
+#include <gapcheck/mesh.hpp>
 #include <gapcheck/read_run.hpp>
 #include <gapcheck/records.hpp>
 #include <gapcheck/report.hpp>

@@ -18,6 +18,7 @@ enum class Format : std::uint8_t {
   gitlab,  ///< code quality report of GitLab
   csv,     ///< a table, one line per finding
   html,    ///< one file for a browser; with a picture of the mesh if AuditOptions::picture was set
+  vtu,     ///< for ParaView, with depths and vectors; with the elements if AuditOptions::mesh was set
 };
 
 struct WriteOptions {

@@ -10,6 +10,21 @@ namespace {
 
 using model::ElementKind;
 
+MeshElement mesh_element(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::solid:
+      return MeshElement::solid;
+    case ElementKind::thick_shell:
+      return MeshElement::thick_shell;
+    case ElementKind::beam:
+      return MeshElement::beam;
+    case ElementKind::particle:
+      return MeshElement::particle;
+    default:
+      return MeshElement::shell;
+  }
+}
+
 /// Puts elements into the mesh, kind by kind.
 class Builder {
  public:
@@ -26,6 +41,7 @@ class Builder {
       }
       for (const NodeIndex node : elements.nodes[i]) mesh_.corners.push_back(position(node));
       mesh_.ends.push_back(mesh_.corners.size());
+      mesh_.kinds.push_back(mesh_element(kind));
       mesh_.element_ids.push_back(elements.id[i]);
       const PartIndex part = elements.part[i];
       mesh_.part_ids.push_back(part.value < model_.parts.size() ? model_.part(part).id.value : 0);

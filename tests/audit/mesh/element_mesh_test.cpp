@@ -31,6 +31,7 @@ void expect_sound(const ElementMesh& mesh) {
   for (const Vector& x : mesh.x) EXPECT_TRUE(x.allFinite());
   for (const auto* list : {&mesh.part_ids, &mesh.contact_ids}) EXPECT_EQ(list->size(), mesh.size());
   EXPECT_EQ(mesh.thickness.size(), mesh.size());
+  EXPECT_EQ(mesh.kinds.size(), mesh.size());
   EXPECT_EQ(mesh.ends.size(), mesh.size());
   for (const double thickness : mesh.thickness) EXPECT_TRUE(std::isfinite(thickness) && thickness >= 0);
   std::vector<bool> used(mesh.x.size());
@@ -54,6 +55,8 @@ TEST(ElementMesh, AllKindsAndOnlyTheirNodes) {
   expect_sound(mesh);
   EXPECT_EQ(mesh.element_ids, (std::vector<std::int64_t>{10, 10, 12, 9}));
   EXPECT_EQ(mesh.part_ids, (std::vector<std::int64_t>{1, 2, 1, 2}));
+  EXPECT_EQ(mesh.kinds, (std::vector<MeshElement>{MeshElement::shell, MeshElement::solid, MeshElement::beam,
+                                                  MeshElement::particle}));
   EXPECT_EQ(mesh.ends, (std::vector<std::uint64_t>{4, 12, 14, 15}));
   EXPECT_EQ(mesh.node_ids.size(), 9U) << "node 11 only orients the beam";
 }
