@@ -44,6 +44,6 @@ def large():
     plate = numpy.stack([x.ravel(), y.ravel(), numpy.zeros(x.size)], axis=1)
     corner = (numpy.arange(n)[:, None] * (n + 1) + numpy.arange(n)).ravel()
     quads = numpy.stack([corner, corner + 1, corner + n + 2, corner + n + 1], axis=1)
-    points = numpy.concatenate([plate, plate + (0.5, 0.5, 0.7)])
+    points = numpy.concatenate([plate, plate + (0.5, 0.5, 0.3)])
     shells = numpy.concatenate([quads, quads + len(plate)])
     return gapcheck.shell_deck(points, shells, 1.0, numpy.repeat([1, 2], len(quads)))

@@ -1,6 +1,8 @@
 """Arrays are those of the library: no copy, read-only, alive as long as one of them is."""
+import csv
 import ctypes
 import gc
+import io
 
 import numpy
 import pytest
@@ -91,6 +93,19 @@ def test_nothing_found_is_empty_arrays():
         DATA / "two_plates.k").penetrations.to_frame().columns)
     assert len(report.part_pairs()) == 0 and "0 penetrations" in repr(report)
     assert not report.penetrations.depth.flags.owndata
+
+
+def test_many_records_are_in_their_order(large):
+    """Columns of many records are filled by several threads; the table is written from the records themselves."""
+    report = gapcheck.audit_text(large)
+    found = report.penetrations
+    table = csv.DictReader(io.StringIO(report.to_csv()))
+    rows = [row for row in table if row["id"] in gapcheck._core.names["kind_rule"]]
+    assert len(rows) == len(found) > 50000
+    assert [int(row["node"]) for row in rows] == found.node.tolist()
+    assert [float(row["penetration"]) for row in rows] == found.depth.tolist()
+    assert [int(row["line"]) for row in rows] == found.line.tolist()
+    assert found.to_numpy().tobytes() == gapcheck.audit_text(large, jobs=1).penetrations.to_numpy().tobytes()
 
 
 def test_codes_have_words(full):
