@@ -10,8 +10,13 @@
 namespace gapcheck::python {
 namespace {
 
+const api::Report& report_in(const py::object& given) {
+  if (!py::isinstance<api::Report>(given)) throw py::type_error("a Report is needed");
+  return given.cast<const api::Report&>();
+}
+
 py::dict penetration_columns(const py::object& report) {
-  const api::Penetrations& p = report.cast<const api::Report&>().penetrations;
+  const api::Penetrations& p = report_in(report).penetrations;
   py::dict columns;
   columns["kind"] = view(p.kind, report);
   columns["contact"] = view(p.contact, report);
@@ -37,7 +42,7 @@ py::dict penetration_columns(const py::object& report) {
 }
 
 py::dict tie_columns(const py::object& report) {
-  const api::Ties& t = report.cast<const api::Report&>().ties;
+  const api::Ties& t = report_in(report).ties;
   py::dict columns;
   columns["reason"] = view(t.reason, report);
   columns["contact"] = view(t.contact, report);
@@ -55,7 +60,7 @@ py::dict tie_columns(const py::object& report) {
 
 /// None: the report has no mesh.
 py::object mesh_columns(const py::object& report) {
-  const auto& mesh = report.cast<const api::Report&>().mesh;
+  const auto& mesh = report_in(report).mesh;
   if (!mesh) return py::none();
   py::dict columns;
   columns["node"] = view(mesh->node, report);

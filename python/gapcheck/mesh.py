@@ -1,4 +1,6 @@
 """The elements of an audited deck."""
+import operator
+
 import numpy
 
 from . import _core
@@ -10,6 +12,16 @@ CORNERS = {ElementKind.SHELL: 4, ElementKind.SOLID: 8, ElementKind.THICK_SHELL: 
 
 # Numbers of VTK.
 VERTEX, LINE, TRIANGLE, QUAD, TETRAHEDRON, HEXAHEDRON = 1, 3, 5, 9, 10, 12
+
+
+def _kind(given):
+    """The ElementKind of a word or a code."""
+    words = _core.names["element"]
+    if isinstance(given, str):
+        if given not in words:
+            raise ValueError(f"{given!r} is no kind of element; there are {', '.join(words)}")
+        return ElementKind(words.index(given))
+    return ElementKind(operator.index(given))
 
 
 class Mesh:
@@ -38,7 +50,7 @@ class Mesh:
 
     def elements(self, kind):
         """The elements of one kind as a slice of all arrays with m entries: kind is "shell", ElementKind.SHELL, …"""
-        wanted = ElementKind[kind.upper().replace("-", "_")] if isinstance(kind, str) else ElementKind(kind)
+        wanted = _kind(kind)
         first, end = numpy.searchsorted(self.kind, (wanted, wanted + 1))
         return slice(int(first), int(end))
 
@@ -48,8 +60,7 @@ class Mesh:
         chosen = self.elements(kind)
         first = int(self.ends[chosen.start - 1]) if chosen.start else 0
         end = int(self.ends[chosen.stop - 1]) if chosen.stop else 0
-        wanted = ElementKind[kind.upper().replace("-", "_")] if isinstance(kind, str) else ElementKind(kind)
-        return self.corners[first:end].reshape(-1, CORNERS[wanted])
+        return self.corners[first:end].reshape(-1, CORNERS[_kind(kind)])
 
     def vtk_cells(self):
         """(cells, types) as VTK's unstructured grids have them: `cells` is the number of points and their positions,

@@ -73,8 +73,11 @@ def test_cells_by_kind():
     assert numpy.shares_memory(mesh.cells("solid"), mesh.corners)
     row = mesh.node.tolist().index(11)
     assert mesh.points[row].tolist() == [6, 6, 6]
-    with pytest.raises(KeyError):
+    with pytest.raises(ValueError, match="'tetrahedron' is no kind of element; there are shell, solid"):
         mesh.cells("tetrahedron")
+    for wrong, error in ((7, ValueError), (-1, ValueError), (None, TypeError), (1.0, TypeError), ("SHELL", ValueError)):
+        with pytest.raises(error):
+            mesh.elements(wrong)
 
 
 def test_no_mesh_without_asking(plates):
