@@ -1,6 +1,6 @@
 # cmake --install: programs, manual pages and completions; and, as component "development", the libraries with a CMake
 # package: find_package(gapcheck) gives gapcheck::api with its headers, gapcheck/*.hpp. The other rooms are installed only
-# to be linked: they have no headers there.
+# to be linked: they have no headers there. With GAPCHECK_PYTHON the Python package is component "python".
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -38,7 +38,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gapcheck-config-version.c
 install(FILES ${PROJECT_BINARY_DIR}/gapcheck-config.cmake ${PROJECT_BINARY_DIR}/gapcheck-config-version.cmake
         DESTINATION ${package_folder} COMPONENT development)
 
-# cpack: gapcheck_VERSION_ARCH.deb with the programs, gapcheck-dev_VERSION_ARCH.deb with the libraries.
+# cpack: gapcheck_VERSION_ARCH.deb with the programs, gapcheck-dev_VERSION_ARCH.deb with the libraries, and
+# python3-gapcheck_VERSION_ARCH.deb with the Python package.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the gapcheck developers")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "finds contact problems of LS-DYNA models")
@@ -52,5 +53,13 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME gapcheck-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, libgmp-dev, libmpfr-dev, libtbb-dev, zlib1g-dev")
+if(GAPCHECK_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gapcheck)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${GAPCHECK_PYTHON_DEPENDS}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas")
+endif()
 set(CPACK_STRIP_FILES ON)
 include(CPack)

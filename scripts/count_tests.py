@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Adds up test results: scripts/count_tests.py FOLDER…, where each folder holds ctest.xml (ctest --output-junit) and
-results/*.xml (Google Test). A test that also ran with sanitizers counts once: as failed if it failed in one of them, as
+results/*.xml (Google Test, pytest). A test that also ran with sanitizers counts once: as failed if it failed in one of them, as
 passed if it passed in one. The last line is "N passed, N failed, N skipped"; exit code 1 if any failed or none ran."""
 import pathlib
 import sys
@@ -26,7 +26,8 @@ def gtest_results(folder):
             result = 'passed'
             if case.find('failure') is not None or case.find('error') is not None:
                 result = 'failed'
-            elif case.get('status') == 'notrun' or case.get('result') in ('skipped', 'suppressed'):
+            elif (case.get('status') == 'notrun' or case.get('result') in ('skipped', 'suppressed')
+                  or case.find('skipped') is not None):
                 result = 'skipped'
             yield f'{program}: {case.get("classname")}.{case.get("name")}', result, program
 

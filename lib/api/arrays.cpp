@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "api/convert.hpp"
+#include "keyword/card.hpp"
 #include "model/contact/contact_name.hpp"
 
 namespace gapcheck::api {
@@ -43,10 +44,11 @@ class MeshCheck {
     return "";
   }
   [[nodiscard]] std::string points() const {
-    const auto bad =
-        std::find_if_not(mesh_.points.begin(), mesh_.points.end(), [](double x) { return std::isfinite(x); });
+    const auto bad = std::find_if_not(mesh_.points.begin(), mesh_.points.end(),
+                                      [](double x) { return std::abs(x) <= keyword::Card::max_real; });
     if (bad == mesh_.points.end()) return "";
-    return fmt::format("points, row {}: {} is not a finite number", (bad - mesh_.points.begin()) / 3, *bad);
+    return fmt::format("points, row {}: {} is not a number from {} to {}", (bad - mesh_.points.begin()) / 3, *bad,
+                       -keyword::Card::max_real, keyword::Card::max_real);
   }
   [[nodiscard]] std::string shells() const {
     const auto rows = static_cast<std::int64_t>(mesh_.points.size() / 3);
@@ -62,7 +64,7 @@ class MeshCheck {
     return fmt::format("parts, row {}: {} is not an id of 1 or more", bad - mesh_.parts.begin(), *bad);
   }
   [[nodiscard]] std::string thicknesses(const std::set<std::int64_t>& parts) const {
-    const auto is_length = [](double t) { return std::isfinite(t) && t > 0; };
+    const auto is_length = [](double t) { return t > 0 && t <= keyword::Card::max_real; };
     for (const auto& [part, thickness] : mesh_.part_thickness) {
       if (!parts.contains(part)) return fmt::format("part_thickness: part {} has no shells", part);
       if (!is_length(thickness))

@@ -4,6 +4,7 @@
 
 #include "api/convert.hpp"
 #include "api/report_store.hpp"
+#include "base/parallel.hpp"
 #include "records/record_rules.hpp"
 
 namespace gapcheck::api {
@@ -67,7 +68,7 @@ PenetrationColumns::PenetrationColumns(const std::vector<Penetration>& records) 
   size(4 * n, segment);
   size(2 * n, local);
   size(3 * n, position, closest, moved_to);
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto fill = [&](std::size_t i) {
     const Penetration& p = records[i];
     kind[i] = same<PenetrationKind>(p.kind);
     contact[i] = p.contact;
@@ -90,7 +91,11 @@ PenetrationColumns::PenetrationColumns(const std::vector<Penetration>& records) 
     feature[i] = same<Feature>(p.feature);
     node_rule[i] = same<ThicknessRule>(p.node_rule);
     segment_rule[i] = same<ThicknessRule>(p.segment_rule);
-  }
+  };
+  constexpr std::size_t piece = 10000;
+  parallel_for(n, piece, [&fill](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) fill(i);
+  });
 }
 
 Penetrations PenetrationColumns::view() const {

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-FOLDERS = ("apps", "examples", "lib", "tests")
+FOLDERS = ("apps", "examples", "lib", "python", "tests")
 LEAST_FILES = 500  # fewer mean that the files are no longer found
 WARNING = re.compile(r"^(.*?):(\d+):\d+: (?:warning|error): code should be clang-formatted", re.M)
 

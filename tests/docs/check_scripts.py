@@ -45,6 +45,7 @@ RUNS = [
     ("tests/bench/measure_scale.py", "{build} work docs/benchmarks.md --shells 1000 --runs 1 --kinds plates",
      "docs/benchmarks.md"),
     ("tests/bench/measure_search.py", "{build} docs/benchmarks.md --shells 500 --rounds 1", "docs/benchmarks.md"),
+    ("tests/bench/python_speed.py", "{build} work docs/python.md --plates 5 --runs 1", "docs/python.md"),
     ("tests/bench/skipped_work.py", "--program {gapcheck}", "docs/skipped-work.md"),
     ("tests/bench/solver_precision.py", "{build}/tests/bench/gapcheck_solver_precision", "docs/theory/solver-precision.svg"),
 ]
@@ -55,6 +56,7 @@ NEEDS = {
     "tests/bench/measure_reading.py": ["gapcheck_reading_bench"],
     "tests/bench/measure_scale.py": ["gapcheck_make_scene"],
     "tests/bench/measure_search.py": ["gapcheck_search_bench"],
+    "tests/bench/python_speed.py": ["gapcheck_make_plates"],
     "tests/bench/solver_precision.py": ["gapcheck_solver_precision"],
 }
 # What more than the build is needed for.

@@ -1,0 +1,420 @@
+"""The C++ interface of gapcheck as the package sees it. Attributes cannot be set."""
+from os import PathLike
+from typing import Any
+
+from numpy import float64, int64, ndarray
+from numpy.typing import NDArray
+
+_Path = str | bytes | PathLike[str] | PathLike[bytes]
+
+version: str
+names: dict[str, tuple[str, ...]]
+
+class Diagnostic:
+    _fields: tuple[str, ...]
+    severity: str
+    file: str
+    line: int
+    message: str
+
+class Totals:
+    _fields: tuple[str, ...]
+    errors: int
+    warnings: int
+    notes: int
+
+class ModelCounts:
+    _fields: tuple[str, ...]
+    nodes: int
+    shells: int
+    solids: int
+    beams: int
+    thick_shells: int
+    discrete: int
+    masses: int
+    particles: int
+    parts: int
+    contacts: int
+
+class Contact:
+    _fields: tuple[str, ...]
+    id: int
+    order: int
+    title: str
+    keyword: str
+    type: str
+    tracked_nodes: int
+    segments: int
+    penetrations: int
+    max_penetration: float
+    released: int
+    edge_zone: int
+    segment_penetrations: int
+    mortar_penetrations: int
+    edge_penetrations: int
+    ties: int
+    untied: int
+    out_of_reach: int
+    reported_penetrations: int
+    judged_nearest: int
+    not_checked: str
+    file: str
+    line: int
+
+class Finding:
+    _fields: tuple[str, ...]
+    id: str
+    rule: str
+    severity: str
+    message: str
+    contact: int
+    node: int
+    part: int
+    element: int
+    element_part: int
+    penetration: float
+    contact_distance: float
+    point: list[float] | None
+    count: int
+    file: str
+    line: int
+
+class SurfaceTimestep:
+    _fields: tuple[str, ...]
+    contact: int
+    side: str
+    type: str
+    timestep: float
+    node: int
+    part: int
+
+class Timesteps:
+    _fields: tuple[str, ...]
+    contact: float
+    element: float
+    surfaces: tuple[SurfaceTimestep, ...]
+
+class SolverMessage:
+    _fields: tuple[str, ...]
+    severity: str
+    code: int
+    kind: str
+    text: str
+    count: int
+    file: int
+    line: int
+
+class RigidwallPenetration:
+    _fields: tuple[str, ...]
+    node: int
+    wall: int
+    depth: float
+    file: int
+    line: int
+
+class SolverRun:
+    _fields: tuple[str, ...]
+    version: str
+    revision: str
+    precision: str
+    platform: str
+    title: str
+    mpp: bool
+    ranks: int
+    termination: str
+    problem_time: float
+    end_time: float
+    cycles: int
+    timesteps: Timesteps
+    rigidwalls: tuple[RigidwallPenetration, ...]
+    messages: tuple[SolverMessage, ...]
+    counts_may_be_cut: bool
+
+class Report:
+    _fields: tuple[str, ...]
+    source: str
+    input: str
+    model: ModelCounts
+    files: tuple[str, ...]
+    contacts: tuple[Contact, ...]
+    findings: tuple[Finding, ...]
+    totals: Totals
+    ignored: int
+    predicted: Timesteps | None
+    run: SolverRun | None
+    complete: bool
+    diagnostics: tuple[Diagnostic, ...]
+    diagnostics_left_out: int
+
+class Rule:
+    _fields: tuple[str, ...]
+    id: str
+    name: str
+    severity: str
+    summary: str
+    page: str
+    of_runs: bool
+
+class Curve:
+    _fields: tuple[str, ...]
+    name: str
+    file: str
+    quantity: str
+    contact: int
+    times: NDArray[float64]
+    values: NDArray[float64]
+    not_numbers: int
+
+class Curves:
+    _fields: tuple[str, ...]
+    curves: tuple[Curve, ...]
+    complete: bool
+    diagnostics: tuple[Diagnostic, ...]
+
+class ContactComparison:
+    _fields: tuple[str, ...]
+    id: int
+    title: str
+    type: str
+    agree: int
+    depth_differs: int
+    only_first: int
+    only_second: int
+    largest_difference: float
+    missing_in_first: bool
+    missing_in_second: bool
+    not_checked: bool
+    counts_only: bool
+    ties_compared: bool
+    ties_agree: int
+    ties_other_reason: int
+    ties_only_first: int
+    ties_only_second: int
+
+class DepthDifference:
+    _fields: tuple[str, ...]
+    contact: int
+    node: int
+    first: float | None
+    second: float | None
+
+class TieDifference:
+    _fields: tuple[str, ...]
+    contact: int
+    node: int
+    first: str | None
+    second: str | None
+
+class CurveRating:
+    _fields: tuple[str, ...]
+    overall: float
+    corridor: float
+    phase: float
+    magnitude: float
+    slope: float
+
+class CurvePair:
+    _fields: tuple[str, ...]
+    name: str
+    verdict: str
+    largest_first: float
+    largest_second: float
+    largest_difference: float
+    time: float
+    relative_difference: float
+    l2_difference: float
+    rating: CurveRating | None
+
+class CurveComparison:
+    _fields: tuple[str, ...]
+    pairs: tuple[CurvePair, ...]
+    only_first: tuple[str, ...]
+    only_second: tuple[str, ...]
+    agree: int
+    differ: int
+    without_common_times: int
+
+class PartMotion:
+    _fields: tuple[str, ...]
+    part: int
+    nodes: int
+    largest_distance: float
+    time: float
+    node: int
+    largest: NDArray[float64]
+    mean: NDArray[float64]
+    differs: bool
+
+class MotionComparison:
+    _fields: tuple[str, ...]
+    times: NDArray[float64]
+    largest_displacement: float
+    parts: tuple[PartMotion, ...]
+    differ: int
+
+class Comparison:
+    _fields: tuple[str, ...]
+    equal: bool
+    complete: bool
+    first: Report
+    second: Report
+    contacts: tuple[ContactComparison, ...]
+    differences: tuple[DepthDifference, ...]
+    tie_differences: tuple[TieDifference, ...]
+    curves: CurveComparison | None
+    motion: MotionComparison | None
+    def text(self, top: int) -> str: ...
+    def json(self) -> str: ...
+
+class FixState:
+    _fields: tuple[str, ...]
+    penetrations: int
+    released: int
+    deepest: float
+
+class FixContact:
+    _fields: tuple[str, ...]
+    id: int
+    keyword: str
+    title: str
+    not_checked: str
+    before: FixState
+    after: FixState
+    by_segments: bool
+    edges_before: int
+    edges_after: int
+
+class MovedNode:
+    _fields: tuple[str, ...]
+    node: int
+    start: NDArray[float64]
+    end: NDArray[float64]
+    onto_tie: bool
+    file: int
+    line: int
+
+class UnfixedNode:
+    _fields: tuple[str, ...]
+    contact: int
+    node: int
+    part: int
+    element: int
+    element_part: int
+    depth: float
+    contact_distance: float
+    released: bool
+    reason: str
+
+class FixWall:
+    _fields: tuple[str, ...]
+    id: int
+    title: str
+    nodes_before: int
+    nodes_after: int
+    deepest_before: float
+    deepest_after: float
+    unfixed: tuple[UnfixedNode, ...]
+
+class FixAlternative:
+    _fields: tuple[str, ...]
+    text: str
+    card: str
+
+class FixProposal:
+    _fields: tuple[str, ...]
+    contact: int
+    part: int
+    other_part: int
+    penetrations: int
+    deepest: float
+    thickness: float
+    alternatives: tuple[FixAlternative, ...]
+
+class ChangedFile:
+    _fields: tuple[str, ...]
+    path: str
+    place: str
+    lines: int
+    content: bytes
+
+class Fix:
+    _fields: tuple[str, ...]
+    solved: bool
+    files: tuple[str, ...]
+    contacts: tuple[FixContact, ...]
+    walls: tuple[FixWall, ...]
+    moved: tuple[MovedNode, ...]
+    unfixed: tuple[UnfixedNode, ...]
+    proposals: tuple[FixProposal, ...]
+    changed: tuple[ChangedFile, ...]
+    largest_move: float
+    total_move: float
+    elements_touched: int
+    elements_worsened: int
+    cut_short: bool
+    notes: tuple[str, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    def text(self, top: int) -> str: ...
+    def json(self) -> str: ...
+
+class RunContact:
+    _fields: tuple[str, ...]
+    id: int
+    touching: int
+    released: int
+    moved: int
+    force_a: NDArray[float64]
+    force_b: NDArray[float64]
+    energy_a: float
+    energy_b: float
+    friction: float
+
+class RunState:
+    _fields: tuple[str, ...]
+    time: float
+    end_time: float
+    step: float
+    cycle: int
+    kinetic: float
+    internal: float
+    hourglass: float
+    sliding: float
+    external: float
+    total: float
+    energy_ratio: float
+    seconds: float
+    contacts: tuple[RunContact, ...]
+
+class RunEnergy:
+    _fields: tuple[str, ...]
+    name: str
+    work: float
+    state: float
+    covered: bool
+
+class RunSummary:
+    _fields: tuple[str, ...]
+    end: str
+    failure: str
+    state: RunState
+    state_energy_ratio: float
+    energies: tuple[RunEnergy, ...]
+    files: tuple[str, ...]
+    plotted_states: int
+    diagnostics: tuple[Diagnostic, ...]
+
+def rules() -> tuple[Rule, ...]: ...
+def audit_deck(path: _Path, options: dict[str, Any]) -> Report: ...
+def audit_text(deck: bytes, name: _Path, options: dict[str, Any]) -> Report: ...
+def audit_arrays(points: NDArray[float64], shells: NDArray[int64], parts: NDArray[int64], mesh: dict[str, Any],
+                 options: dict[str, Any]) -> Report: ...
+def shell_deck(points: NDArray[float64], shells: NDArray[int64], parts: NDArray[int64], mesh: dict[str, Any]) -> str: ...
+def penetration_columns(report: Report) -> dict[str, ndarray]: ...
+def tie_columns(report: Report) -> dict[str, ndarray]: ...
+def mesh_columns(report: Report) -> dict[str, ndarray | int] | None: ...
+def write(report: Report, format: str, options: dict[str, Any]) -> bytes: ...
+def read_run(paths: Any, options: dict[str, Any]) -> Report: ...
+def read_curves(directory: _Path) -> Curves: ...
+def compare(first: _Path, second: _Path, options: dict[str, Any]) -> Comparison: ...
+def fix_deck(path: _Path, options: dict[str, Any]) -> Fix: ...
+def run_deck(deck: _Path, directory: _Path, options: dict[str, Any]) -> RunSummary: ...
