@@ -77,6 +77,19 @@ class Curves(Mapping):
         return Records(self._core.diagnostics)
 
 
+def read_motion(path, *, states=(), velocities=True) -> _core.Motion:
+    """Reads where the nodes are in the states of a d3plot.
+
+    path: the first file of the d3plot, or the directory of a run. states: positions of states, from 0; empty: all.
+    velocities: read them too.
+
+    Returns a Motion of read-only arrays in the model's units: node (n ids), start (n × 3, the mesh before the states), times
+    (T), positions and velocities (T × n × 3; 0 × n × 3 without velocities). Memory: 24 bytes per node and state, with
+    velocities 48. Raises Error for files that are damaged, compressed or no d3plot.
+    """
+    return _core.read_motion(path, {"states": states, "velocities": velocities})
+
+
 def read_curves(directory) -> Curves:
     """Reads energies, contact forces and energies, and motion of nodes from the files in a run's directory: Curves."""
     return Curves(_core.read_curves(directory))
