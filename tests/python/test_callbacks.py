@@ -104,7 +104,8 @@ except KeyboardInterrupt:
     print("interrupted")
 """
     assert interrupted(script, PLATES, tmp_path / "out") == "interrupted\n"
-    assert gapcheck.read_run(tmp_path / "out").run.cycles > 0
+    run = gapcheck.read_run(tmp_path / "out").run
+    assert run.cycles > 0 and 0 < run.problem_time < 0.9 and run.termination != "unknown"
 
 
 def test_ctrl_c_ends_audits(tmp_path, large):
