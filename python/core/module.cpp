@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
   gapcheck::python::add_report(module);
   gapcheck::python::add_columns(module);
   gapcheck::python::add_audit(module);
+  gapcheck::python::add_read_motion(module);
   gapcheck::python::add_read_run(module);
   gapcheck::python::add_compare(module);
   gapcheck::python::add_fix(module);

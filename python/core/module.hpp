@@ -7,6 +7,7 @@ namespace gapcheck::python {
 void add_report(pybind11::module_& module);
 void add_columns(pybind11::module_& module);
 void add_audit(pybind11::module_& module);
+void add_read_motion(pybind11::module_& module);
 void add_read_run(pybind11::module_& module);
 void add_compare(pybind11::module_& module);
 void add_fix(pybind11::module_& module);

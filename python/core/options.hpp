@@ -28,6 +28,9 @@ class Options {
   void take(const char* name, std::size_t& to) const { cast_to(name, to, "a whole number of 0 or more"); }
   void take(const char* name, std::string& to) const { cast_to(name, to, "a str"); }
   void take(const char* name, std::vector<std::int64_t>& to) const { list_to(name, to, "a list of whole numbers"); }
+  void take(const char* name, std::vector<std::size_t>& to) const {
+    list_to(name, to, "a list of whole numbers of 0 or more");
+  }
   void take(const char* name, std::vector<std::string>& to) const { list_to(name, to, "a list of str"); }
   void take(const char* name, std::map<std::int64_t, double>& to) const {
     cast_to(name, to, "a dict of numbers by id");

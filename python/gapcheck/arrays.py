@@ -1,4 +1,6 @@
 """Audits of meshes that never were a deck."""
+from __future__ import annotations
+
 import numpy
 
 from . import _core
@@ -45,7 +47,7 @@ def _mesh(points, shells, thickness, part, contact, tracked, reference):
                                    "tracked": tracked, "reference": reference}
 
 
-def audit_arrays(points, shells, thickness, part=None, *, contact=None, tracked=(), reference=(), **options):
+def audit_arrays(points, shells, thickness, part=None, *, contact=None, tracked=(), reference=(), **options) -> Report:
     """Audits shells that never were a deck, in one contact: a Report. Ids of nodes and shells in it are rows plus 1.
 
     points: n × 3 coordinates. shells: m × 4 rows of points, from 0; a triangle repeats its last one. m × 3: triangles.
@@ -64,6 +66,6 @@ def audit_arrays(points, shells, thickness, part=None, *, contact=None, tracked=
     return Report(_core.audit_arrays(*mesh, given), given["picture"])
 
 
-def shell_deck(points, shells, thickness, part=None, *, contact=None, tracked=(), reference=()):
+def shell_deck(points, shells, thickness, part=None, *, contact=None, tracked=(), reference=()) -> str:
     """The keyword deck that audit_arrays() audits, as str. Numbers keep all digits."""
     return _core.shell_deck(*_mesh(points, shells, thickness, part, contact, tracked, reference))

@@ -1,4 +1,6 @@
 """Audits of decks."""
+from __future__ import annotations
+
 import os
 
 from . import _core
@@ -18,7 +20,7 @@ def audit_options(*, select=(), ignore=(), contacts=(), parts=(), ptol=None, rto
 
 def audit(deck, *, select=(), ignore=(), contacts=(), parts=(), ptol=None, rtol=None, ratio=None, severities=None,
           millimetre=None, today=None, includes=(), skip_missing=False, parameters=(), exact=False, picture=False,
-          mesh=False, jobs=0, progress=None):
+          mesh=False, jobs=0, progress=None) -> Report | list[Report]:
     """Audits the contacts of a keyword deck and its includes: a Report; of a list of paths: a list of Reports.
 
     deck: path (str, bytes, os.PathLike), or a list of paths, audited one after the other.
@@ -49,7 +51,7 @@ def audit(deck, *, select=(), ignore=(), contacts=(), parts=(), ptol=None, rtol=
     return Report(_core.audit_deck(deck, options), picture)
 
 
-def audit_text(text, name="deck.k", **options):
+def audit_text(text, name="deck.k", **options) -> Report:
     """Audits a deck in memory: a Report.
 
     text: str, or the bytes of the deck. name: replaces its path; includes are looked up in the working directory.
@@ -63,6 +65,6 @@ def audit_text(text, name="deck.k", **options):
     return Report(_core.audit_text(bytes(text), os.fspath(name), given), given["picture"])
 
 
-def rules():
+def rules() -> Records:
     """All rules by id: Records with id, name, severity, summary, page (markdown) and of_runs."""
     return Records(_core.rules())

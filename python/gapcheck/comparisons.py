@@ -1,4 +1,6 @@
 """Comparisons of decks and runs."""
+from __future__ import annotations
+
 from . import _core
 from .options import common
 from .report import Report
@@ -60,7 +62,7 @@ class Comparison:
 
 
 def compare(first, second, *, tolerance=0.0, contacts=(), message_tables=(), curves=True, curve_tolerance=1e-3,
-            curve_names=(), includes=(), skip_missing=False, parameters=(), jobs=0):
+            curve_names=(), includes=(), skip_missing=False, parameters=(), jobs=0) -> Comparison:
     """Compares two decks, two runs, or a deck and a run, node by node; of two directories also curves and motion.
 
     first, second: a deck, a file of the solver or the directory of a run. tolerance: of depths, in the deck's unit.

@@ -1,4 +1,6 @@
 """Corrections of decks."""
+from __future__ import annotations
+
 import os
 
 from . import _core, files
@@ -43,7 +45,7 @@ class Fix:
         """The same as JSON, complete."""
         return self._core.json()
 
-    def write(self, folder):
+    def write(self, folder) -> list[str]:
         """Writes the changed files into a folder, which is made if it is not there, laid out as beside the main file;
         files from elsewhere keep only their name. Returns their paths.
 
@@ -76,7 +78,7 @@ def _ranges(name, given):
 
 
 def fix(deck, *, lock_parts=(), lock_nodes=(), priorities=None, recommended=False, free_welds=False, includes=(),
-        skip_missing=False, parameters=(), jobs=0):
+        skip_missing=False, parameters=(), jobs=0) -> Fix:
     """Moves nodes as little as possible until nothing penetrates initially any more: a Fix. Writes nothing.
 
     lock_parts, lock_nodes: ids that must not move, or pairs (first, last) of ids. priorities: a dict of factors by part

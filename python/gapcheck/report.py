@@ -1,4 +1,6 @@
 """What an audit or a run reports."""
+from __future__ import annotations
+
 from functools import cached_property
 
 import numpy
@@ -25,82 +27,82 @@ class Report:
         return html.summary(self, self.to_html() if self._picture else None)
 
     @property
-    def source(self):
+    def source(self) -> str:
         """"deck" or "messag"."""
         return self._core.source
 
     @property
-    def input(self):
+    def input(self) -> str:
         """The path as it was given."""
         return self._core.input
 
     @property
-    def model(self):
+    def model(self) -> _core.ModelCounts:
         """Size of a deck: nodes, shells, solids, beams, parts, contacts, …; zeros: not known."""
         return self._core.model
 
     @cached_property
-    def files(self):
+    def files(self) -> tuple[str, ...]:
         """Paths that were read; what `file` of penetrations and ties counts."""
         return self._core.files
 
     @cached_property
-    def contacts(self):
+    def contacts(self) -> Records:
         """Contact definitions in deck order, with the numbers of what was found in them."""
         return Records(self._core.contacts)
 
     @cached_property
-    def penetrations(self):
+    def penetrations(self) -> Penetrations:
         """Penetrations as parallel arrays."""
         return Penetrations(_core.penetration_columns(self._core), self.contacts, self.files)
 
     @cached_property
-    def ties(self):
+    def ties(self) -> Ties:
         """Nodes that did not tie, or tied with a distance, as parallel arrays."""
         return Ties(_core.tie_columns(self._core), self.contacts, self.files)
 
     @cached_property
-    def findings(self):
+    def findings(self) -> Records:
         """All other findings, by rule."""
         return Records(self._core.findings)
 
     @property
-    def totals(self):
+    def totals(self) -> _core.Totals:
         """Numbers of errors, warnings and notes, penetrations and ties included."""
         return self._core.totals
 
     @property
-    def ignored(self):
+    def ignored(self) -> int:
         """Findings that the deck's comments leave out on purpose."""
         return self._core.ignored
 
     @property
-    def predicted(self):
+    def predicted(self) -> _core.Timesteps | None:
         """Time steps computed from a deck (contact, element, surfaces); None: no rule asked for them."""
         return self._core.predicted
 
     @property
-    def run(self):
+    def run(self) -> _core.SolverRun | None:
         """What the solver's files say of the whole run; None: none were read."""
         return self._core.run
 
     @property
-    def complete(self):
+    def complete(self) -> bool:
         """False: the input could not be read in full; then at least one diagnostic is an error."""
         return self._core.complete
 
     @cached_property
-    def diagnostics(self):
+    def diagnostics(self) -> Records:
         """About the input: errors first, then by file and line; at most 1000."""
         return Records(self._core.diagnostics)
 
     @property
-    def diagnostics_left_out(self):
+    def diagnostics_left_out(self) -> int:
         """How many there are beyond these."""
         return self._core.diagnostics_left_out
 
     @cached_property
-    def mesh(self):
+    def mesh(self) -> Mesh | None:
         """The elements of the deck; None without audit(mesh=True)."""
         columns = _core.mesh_columns(self._core)
         return None if columns is None else Mesh(columns)
@@ -125,32 +127,32 @@ class Report:
         files.write(path, content, self.files)
         return None
 
-    def to_text(self, path=None, *, top=5, list=False, statistics=False):
+    def to_text(self, path=None, *, top=5, list=False, statistics=False) -> str | None:
         """For people, as `gapcheck audit` prints it: str, or written to a path. top: findings per contact or rule;
         list: all of them. Like all to_…() with a path, raises Error rather than writing over a file that was read."""
         return self._write("text", path, {"top": top, "list": list, "statistics": statistics})
 
-    def to_json(self, path=None, *, statistics=False):
+    def to_json(self, path=None, *, statistics=False) -> str | None:
         """JSON of schema gapcheck/1: str, or written to a path."""
         return self._write("json", path, {"statistics": statistics})
 
-    def to_sarif(self, path=None):
+    def to_sarif(self, path=None) -> str | None:
         """SARIF 2.1.0: str, or written to a path."""
         return self._write("sarif", path)
 
-    def to_junit(self, path=None, *, top=5, list=False, fail_on="error"):
+    def to_junit(self, path=None, *, top=5, list=False, fail_on="error") -> str | None:
         """JUnit XML: str, or written to a path. fail_on: least severity that fails a case; "never": none fails."""
         return self._write("junit", path, {"top": top, "list": list, "fail_on": fail_on})
 
-    def to_csv(self, path=None):
+    def to_csv(self, path=None) -> str | None:
         """A table with one line per finding: str, or written to a path."""
         return self._write("csv", path)
 
-    def to_html(self, path=None):
+    def to_html(self, path=None) -> str | None:
         """One page for a browser, with a picture of the mesh after audit(picture=True): str, or written to a path."""
         return self._write("html", path)
 
-    def to_vtu(self, path=None):
+    def to_vtu(self, path=None) -> str | None:
         """A grid for ParaView with depths and vectors, after audit(mesh=True) with the elements: str, or written."""
         return self._write("vtu", path)
 

@@ -1,4 +1,6 @@
 """Runs of the verification solver, and what is read of runs."""
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from . import _core
@@ -8,7 +10,7 @@ from .tables import Records
 
 
 def run(deck, directory, *, until=0.0, cycles=0, ignore_unsupported=False, printed_stiffness=False, binout=False,
-        replace_foreign=False, includes=(), skip_missing=False, parameters=(), jobs=0, watch=None):
+        replace_foreign=False, includes=(), skip_missing=False, parameters=(), jobs=0, watch=None) -> _core.RunSummary:
     """Runs a deck with the verification solver and writes messag, d3hsp, glstat, rcforc, d3plot, … into a directory.
 
     until: end time in the deck's unit; 0: that of the deck. cycles: ends after so many; 0: as the deck says.
@@ -29,7 +31,7 @@ def run(deck, directory, *, until=0.0, cycles=0, ignore_unsupported=False, print
 
 
 def read_run(paths, *, d3hsp=None, d3plot=None, message_tables=(), contacts=(), ptol=None, rtol=None, select=(),
-             ignore=(), jobs=0):
+             ignore=(), jobs=0) -> Report:
     """Reads what the solver's files say about the contacts of one run: a Report with `run` set.
 
     paths: the directory of a run, or one or more of its messag, mesNNNN, d3hsp, status.out.
@@ -75,6 +77,19 @@ class Curves(Mapping):
         return Records(self._core.diagnostics)
 
 
-def read_curves(directory):
+def read_motion(path, *, states=(), velocities=True) -> _core.Motion:
+    """Reads where the nodes are in the states of a d3plot.
+
+    path: the first file of the d3plot, or the directory of a run. states: positions of states, from 0; empty: all.
+    velocities: read them too.
+
+    Returns a Motion of read-only arrays in the model's units: node (n ids), start (n × 3, the mesh before the states), times
+    (T), positions and velocities (T × n × 3; 0 × n × 3 without velocities). Memory: 24 bytes per node and state, with
+    velocities 48. Raises Error for files that are damaged, compressed or no d3plot.
+    """
+    return _core.read_motion(path, {"states": states, "velocities": velocities})
+
+
+def read_curves(directory) -> Curves:
     """Reads energies, contact forces and energies, and motion of nodes from the files in a run's directory: Curves."""
     return Curves(_core.read_curves(directory))

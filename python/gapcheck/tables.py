@@ -3,8 +3,13 @@
 
 def record_repr(record):
     """Contact(id=1, title='all parts', …) with what is not empty."""
-    values = ((name, getattr(record, name)) for name in record._fields)
-    shown = [f"{name}={value!r}" for name, value in values if isinstance(value, (bool, int, float, str)) and value != ""]
+    shown = []
+    for name in record._fields:
+        value = getattr(record, name)
+        if hasattr(value, "shape"):
+            shown.append(f"{name}=<{' × '.join(map(str, value.shape))}>")
+        elif isinstance(value, (bool, int, float, str)) and value != "":
+            shown.append(f"{name}={value!r}")
     return f"{type(record).__name__}({', '.join(shown[:8])}{', …' if len(shown) > 8 else ''})"
 
 

@@ -21,12 +21,12 @@ def pytest_configure(config):
 
 @pytest.fixture(scope="session")
 def program():
-    return os.environ["GAPCHECK_PROGRAM"]
+    return str(pathlib.Path(os.environ["GAPCHECK_PROGRAM"]).resolve())
 
 
 @pytest.fixture(scope="session")
 def build():
-    return pathlib.Path(os.environ["GAPCHECK_BUILD"])
+    return pathlib.Path(os.environ["GAPCHECK_BUILD"]).resolve()
 
 
 @pytest.fixture

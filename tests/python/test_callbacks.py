@@ -1,4 +1,5 @@
 """Callbacks, Ctrl-C and threads."""
+import multiprocessing
 import signal
 import subprocess
 import sys
@@ -103,7 +104,8 @@ except KeyboardInterrupt:
     print("interrupted")
 """
     assert interrupted(script, PLATES, tmp_path / "out") == "interrupted\n"
-    assert gapcheck.read_run(tmp_path / "out").run.cycles > 0
+    run = gapcheck.read_run(tmp_path / "out").run
+    assert run.cycles > 0 and 0 < run.problem_time < 0.9 and run.termination != "unknown"
 
 
 def test_ctrl_c_ends_audits(tmp_path, large):
@@ -177,6 +179,19 @@ def test_audits_in_threads():
         together = list(pool.map(lambda deck: gapcheck.audit(deck, progress=lambda *step: seen.append(step)).to_csv(),
                                  decks))
     assert together == alone and len(seen) > 12 * 70
+
+
+def number_of_penetrations(deck):
+    return len(gapcheck.audit(deck).penetrations)
+
+
+def test_audits_in_processes():
+    """Also in processes that begin as a copy of one that has audited with its threads."""
+    assert number_of_penetrations(PLATES) == 18
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map_async(number_of_penetrations, [PLATES] * 4).get(60) == [18] * 4
+        with pytest.raises(gapcheck.Error, match="cannot be opened"):
+            pool.apply_async(number_of_penetrations, ["none.k"]).get(60)
 
 
 def test_objects_may_be_let_go_in_any_thread():

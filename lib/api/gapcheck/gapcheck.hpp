@@ -6,6 +6,7 @@
 #include <gapcheck/fix.hpp>
 #include <gapcheck/includes.hpp>
 #include <gapcheck/mesh.hpp>
+#include <gapcheck/read_motion.hpp>
 #include <gapcheck/read_run.hpp>
 #include <gapcheck/records.hpp>
 #include <gapcheck/report.hpp>
