@@ -40,17 +40,17 @@ function(gapcheck_test name)
   target_link_libraries(gapcheck_test_${name} PRIVATE gapcheck_flags ${TEST_DEPENDS} GTest::gtest_main)
   target_include_directories(gapcheck_test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(gapcheck_test_${name} PRIVATE GAPCHECK_ROOT="${PROJECT_SOURCE_DIR}")
-  # Tests are compiled once and run once: less optimised they are there sooner, but for those with slow twins. Without
-  # optimisation clang needs half the time of g++, where it is installed. Those with random scenes stay with g++: in which
-  # order the arguments of a call are evaluated is the compiler's choice, and with it which numbers a scene gets.
+  # Tests are compiled once and run once: less optimised they are there sooner, but for those with slow twins. clang needs
+  # half the time of g++, where it is installed. Those with random scenes stay with g++: in which order the arguments of a
+  # call are evaluated is the compiler's choice, and with it which numbers a scene gets.
+  set(level -O0)
   if(name MATCHES "^(audit|contact|contact_rules|fix|geometry|solver|stress|threads)$")
-    target_compile_options(gapcheck_test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  else()
-    target_compile_options(gapcheck_test_${name} PRIVATE $<$<CONFIG:Release>:-O0>)
-    if(GAPCHECK_TWIN_LAUNCHER AND CMAKE_BUILD_TYPE STREQUAL "Release")
-      set_target_properties(gapcheck_test_${name} PROPERTIES CXX_COMPILER_LAUNCHER "${GAPCHECK_TWIN_LAUNCHER}")
-      target_compile_options(gapcheck_test_${name} PRIVATE -Wno-unknown-warning-option)
-    endif()
+    set(level -O1)
+  endif()
+  target_compile_options(gapcheck_test_${name} PRIVATE $<$<CONFIG:Release>:${level}>)
+  if((level STREQUAL "-O0" OR name STREQUAL solver) AND GAPCHECK_TWIN_LAUNCHER AND CMAKE_BUILD_TYPE STREQUAL "Release")
+    set_target_properties(gapcheck_test_${name} PROPERTIES CXX_COMPILER_LAUNCHER "${GAPCHECK_TWIN_LAUNCHER}")
+    target_compile_options(gapcheck_test_${name} PRIVATE -Wno-unknown-warning-option)
   endif()
   gapcheck_add_halves(gapcheck_test_${name} ${name} "" TIMEOUT 900)
   gapcheck_twin_test(gapcheck_test_${name} sanitized ${name})
