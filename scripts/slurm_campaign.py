@@ -186,7 +186,7 @@ def main():
              f"| decks, of them read | {arguments.decks}, {decks} |",
              f"| results of task {KILLED} when it was killed, at the end | {had:,} bytes, {whole:,} bytes |",
              f"| one call with all threads | {one_call:.1f} s, {one_call / arguments.decks * 1e3:.0f} ms per deck |",
-             f"| {SHARES} tasks of one thread, with Slurm's own time | {first:.1f} s, {first / arguments.decks * 1e3:.0f} ms per deck |",
+             f"| {SHARES} tasks of one thread, one sent again, which Slurm delays by two minutes | {first:.1f} s, {first / arguments.decks * 1e3:.0f} ms per deck |",
              f"| merging | {merging:.2f} s |",
              f"| exit codes of one call and of merge | {one.returncode}, {merged.returncode} |",
              "| JSON of one call and of merge, without times | equal |"]
