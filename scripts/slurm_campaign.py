@@ -168,7 +168,7 @@ def main():
         time.sleep(1)
         slurm.wait(job)
         first = time.perf_counter() - begin
-        # A task that is no longer known to Slurm cannot be queued again, but sent again.
+        # Slurm forgets finished tasks: these are submitted anew.
         environment = f"SHARES={SHARES}"
         out = slurm.call("env", environment, "sbatch", f"--array={KILLED}", "--cpus-per-task=1", "slurm", "models/*.k")
         slurm.wait(out.split()[-1])

@@ -67,7 +67,7 @@ void add_parts_of_reports(py::module_& module) {
       .add_path("file", &Contact::file)
       .add("line", &Contact::line);
   Record<Finding>(module, "Finding",
-                  "One finding that is no penetration or tie. Ids of 0 and negative lengths: not known.")
+                  "A finding other than a penetration or tie. Ids of 0 and negative lengths are unknown.")
       .add("id", &Finding::id, "'GC501'")
       .add("rule", &Finding::rule, "'duplicate-id'")
       .add("severity", &Finding::severity, "'note', 'warning' or 'error'")
@@ -100,7 +100,7 @@ void add_parts_of_runs(py::module_& module) {
       .add("contact", &Timesteps::contact, "the smallest of `surfaces`; 0: unknown")
       .add("element", &Timesteps::element, "the smallest of all elements; 0: unknown")
       .add_list("surfaces", &Timesteps::surfaces, "SurfaceTimestep by contact, side A before side B");
-  Record<SolverMessage>(module, "SolverMessage", "One warning or error of the solver, no penetration and no tie.")
+  Record<SolverMessage>(module, "SolverMessage", "A warning or error of the solver other than a penetration or tie.")
       .add("severity", &SolverMessage::severity)
       .add("code", &SolverMessage::code, "40565")
       .add("kind", &SolverMessage::kind, "empty: not understood")

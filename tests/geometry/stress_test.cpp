@@ -236,7 +236,7 @@ TEST_P(Stress, NoDecisionIsWrong) {
   EXPECT_EQ(all.pairs, *pairs);
   EXPECT_GE(all.decisions, 3 * all.pairs);
   EXPECT_GT(all.by_batches, 0u);
-  // Every family is held to something other than lib/geometry.
+  // Every family is compared with something other than lib/geometry.
   EXPECT_GT(all.against_whole_numbers + all.halved, 0u);
   EXPECT_LE(all.twin_gave_up, all.decisions / 10000 + 2) << "exact numbers must settle nearly all";
   EXPECT_LE(all.given_up, all.halved + 2) << "halving must settle most of what it is given";

@@ -48,7 +48,7 @@ Status check_call(const Entry& entry, const Entry& first) {
   return {};
 }
 
-/// An error about the decks that no file has.
+/// An error if decks of the call have no result in any file.
 Status check_complete(const std::vector<Entry>& entries) {
   const std::uint64_t count = entries.front().result.call.count, missing = count - entries.size();
   if (missing == 0) return {};

@@ -57,7 +57,7 @@ Diagnostic system_fault(const std::string& path, const char* what, int error) {
   return fault(path, fmt::format("{}: {}", what, std::generic_category().message(error)));
 }
 
-/// The next entry of a text, which loses it; nothing: the rest is no whole entry.
+/// Takes the next entry off the text; nothing: what is left is not a whole entry.
 std::optional<std::string_view> take_entry(std::string_view& left) {
   EntryHead head;
   if (left.size() < sizeof head) return std::nullopt;

@@ -26,8 +26,8 @@ struct ShellMesh {
 
 /// The keyword deck of these shells: ids of nodes and shells are their rows plus 1, numbers keep all digits, the
 /// material of all parts is steel in mm, t and s. Errors, each with the array and the row: arrays whose lengths do not
-/// fit, a row of `points` that is not there, a coordinate that is no number in that range, a thickness that is no
-/// length above 0, a part without shells, a contact that needs more than its surfaces.
+/// match, corners beyond the rows of `points`, coordinates that are not finite or out of range, thicknesses that are
+/// not above 0, parts without shells, a contact that needs more than its surfaces.
 [[nodiscard]] Result<std::string> shell_deck(const ShellMesh& mesh);
 
 /// Audits that deck. Files and lines of the report are those of shell_deck(), under the name "arrays".
