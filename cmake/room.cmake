@@ -11,7 +11,11 @@ function(gapcheck_room name)
   if(name IN_LIST GAPCHECK_PLAIN)
     set_target_properties(gapcheck_${name} PROPERTIES UNITY_BUILD OFF)
   endif()
-  gapcheck_twins(gapcheck_${name} sanitized threads)
+  set(kinds sanitized threads)
+  if(name STREQUAL results)  # runs on one thread only
+    set(kinds sanitized)
+  endif()
+  gapcheck_twins(gapcheck_${name} ${kinds})
 endfunction()
 
 # gapcheck_optimise(LEVEL TARGET…): another level than -O3 for code that computes little. 1: printing and reading options,

@@ -22,8 +22,6 @@ endif()
 # Rooms that print, read or pass on: without optimisation the compiler needs a third of the time, and their tests no more.
 set(GAPCHECK_LIGHT_TWINS gapcheck_base gapcheck_records gapcheck_keyword gapcheck_model gapcheck_results
     gapcheck_report gapcheck_api gapcheck_apps gapcheck_commands gapcheck_manual_text gapcheck_check_c_arguments)
-# Compiled file by file, so that no file misses an include.
-set(GAPCHECK_PLAIN_TWINS gapcheck_base gapcheck_records gapcheck_keyword)
 
 # gapcheck_twins(TARGET KIND…): twins of a library TARGET of the present directory, made at the directory's end, when
 # nothing is added to it any more.
@@ -121,9 +119,6 @@ function(gapcheck_twin_library target kind)
   target_compile_options(${twin} PRIVATE ${GAPCHECK_TWIN_${kind}} -w)
   if(target IN_LIST GAPCHECK_LIGHT_TWINS)
     target_compile_options(${twin} PRIVATE -O0)
-  endif()
-  if(target IN_LIST GAPCHECK_PLAIN_TWINS AND kind STREQUAL sanitized)
-    set_target_properties(${twin} PROPERTIES UNITY_BUILD OFF)
   endif()
 endfunction()
 

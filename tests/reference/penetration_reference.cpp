@@ -19,8 +19,6 @@ namespace {
 
 using TiedPairs = std::set<std::pair<std::int64_t, std::int64_t>>;  ///< node, part
 
-const Vector& at(const Positions& x, std::int64_t node) { return x[static_cast<std::size_t>(node)]; }
-
 /// A tracked node seen from one segment.
 struct Seen {
   const Facet* facet = nullptr;

@@ -12,8 +12,6 @@ using Quad = std::array<std::int64_t, 4>;
 constexpr std::size_t brick_faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                            {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-const Vector& at(const Positions& x, std::int64_t node) { return x[static_cast<std::size_t>(node)]; }
-
 Quad sorted(Quad nodes) {
   std::sort(nodes.begin(), nodes.end());
   return nodes;

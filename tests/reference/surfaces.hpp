@@ -14,6 +14,10 @@ namespace gapcheck::reference {
 /// Coordinates by node id; entry 0 is not used.
 using Positions = std::vector<Vector>;
 
+[[nodiscard]] inline const Vector& at(const Positions& x, std::int64_t node) {
+  return x[static_cast<std::size_t>(node)];
+}
+
 /// What of a contact type and its cards the rules ask for (contact rules, sections 1.2 to 1.5, 4.4, 7.1).
 struct Rules {
   const Contact& contact;

@@ -11,7 +11,7 @@ namespace {
 
 using Real = long double;
 using Point = Eigen::Matrix<Real, 3, 1>;
-using Parameters = Eigen::Matrix<Real, 2, 1>;
+using PatchPlace = Eigen::Matrix<Real, 2, 1>;
 
 /// Limits are sums of doubles in the program, and coordinates enter here with 64 digits.
 constexpr Real doubt_of_limit = 1e-15L, doubt_of_coordinates = 1e-17L;
@@ -43,14 +43,14 @@ Foot foot_on_triangle(const std::array<Point, 4>& x, const Point& q) {
   return foot;
 }
 
-std::optional<Parameters> newton(const std::array<Point, 4>& r, const Point& q, Parameters p) {
+std::optional<PatchPlace> newton(const std::array<Point, 4>& r, const Point& q, PatchPlace p) {
   for (int step = 0; step < 80; ++step) {
     const Point s = r[1] + p[1] * r[3], t = r[2] + p[0] * r[3];
     const Point at = r[0] + p[0] * r[1] + p[1] * r[2] + p[0] * p[1] * r[3] - q;
     const Real ss = s.squaredNorm(), tt = t.squaredNorm(), st = s.dot(t) + r[3].dot(at), gs = s.dot(at), gt = t.dot(at);
     const Real det = ss * tt - st * st;
     if (!(std::abs(det) > 1e-16L * ss * tt)) return std::nullopt;
-    const Parameters move{(tt * gs - st * gt) / det, (ss * gt - st * gs) / det};
+    const PatchPlace move{(tt * gs - st * gt) / det, (ss * gt - st * gs) / det};
     p -= move;
     if (!(p.cwiseAbs().maxCoeff() < 1e4L)) return std::nullopt;
     if (move.cwiseAbs().maxCoeff() < 1e-17L) return p;
