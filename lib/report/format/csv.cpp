@@ -21,11 +21,9 @@ class Line {
   explicit Line(Buffer& out) : out_(out) {}
   void text(std::string_view bytes) {
     comma();
+    if (plain(bytes)) return out_.append(bytes);
     std::string text = plain_text(bytes);
-    // Spreadsheets calculate what begins so.
-    if (!text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos)
-      text.insert(text.begin(), '\'');
-    const auto special = [](char c) { return c == ',' || c == '"' || c == '\r' || c == '\n'; };
+    if (!text.empty() && calculated(text.front())) text.insert(text.begin(), '\'');
     if (std::none_of(text.begin(), text.end(), special)) return out_.append(std::string_view(text));
     out_.push_back('"');
     for (const char c : text) {
@@ -47,6 +45,15 @@ class Line {
   void end() { out_.append(std::string_view("\r\n")); }
 
  private:
+  /// Spreadsheets calculate what begins so.
+  static bool calculated(char c) { return std::string_view("=+-@\t").find(c) != std::string_view::npos; }
+  static bool special(char c) { return c == ',' || c == '"' || c == '\r' || c == '\n'; }
+  /// Needs no change: as most texts.
+  static bool plain(std::string_view text) {
+    return text.empty() || (!calculated(text.front()) && std::all_of(text.begin(), text.end(), [](char c) {
+             return c >= ' ' && c < '\x7f' && c != ',' && c != '"';
+           }));
+  }
   void comma() {
     if (!first_) out_.push_back(',');
     first_ = false;

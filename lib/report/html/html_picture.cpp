@@ -73,8 +73,7 @@ class ScenePoints {
 };
 
 /// The points of each finding's node and of the corners of its segment.
-void add_links(const SceneMesh& scene, const std::vector<HtmlFinding>& findings, Members& object) {
-  const ScenePoints points(scene);
+void add_links(const ScenePoints& points, const std::vector<HtmlFinding>& findings, Members& object) {
   std::vector<std::array<std::uint32_t, 1>> nodes;
   std::vector<std::array<std::uint32_t, 4>> corners;
   for (const HtmlFinding& finding : findings) {
@@ -89,12 +88,11 @@ void add_links(const SceneMesh& scene, const std::vector<HtmlFinding>& findings,
 }
 
 /// The greatest depth of all penetrations at each point, also of those that are not in the page: 255 is the deepest.
-void add_depths(const SceneMesh& scene, const Report& report, Members& object) {
+void add_depths(const SceneMesh& scene, const ScenePoints& points, const Report& report, Members& object) {
   const auto counts = [](const Penetration& record) { return std::isfinite(record.depth) && record.depth > 0; };
   double deepest = 0;
   for (const Penetration& record : report.penetrations)
     if (counts(record)) deepest = std::max(deepest, record.depth);
-  const ScenePoints points(scene);
   std::string depths(deepest > 0 ? scene.points.size() : 0, '\0');
   for (const Penetration& record : report.penetrations) {
     const std::uint32_t point = counts(record) ? points.of(record.node, record.part) : no_position;
@@ -191,8 +189,9 @@ std::string picture_json(const Report& report, const std::vector<HtmlFinding>& f
   object.raw("positions", binary(positions));
   object.raw("vectors", binary(vectors));
   if (const auto& scene = report.scene) {
-    add_links(*scene, findings, object);
-    add_depths(*scene, report, object);
+    const ScenePoints points(*scene);
+    add_links(points, findings, object);
+    add_depths(*scene, points, report, object);
     object.raw("parts", json_array(scene->parts, part_json));
     object.raw("points", binary(scene->points));
     object.raw("faces", packed(scene->faces));
