@@ -18,11 +18,15 @@ class DeckFiles {
   [[nodiscard]] const std::vector<std::string>& includes(const std::string& deck) { return known(deck).includes; }
   /// True if comments of the deck say something to gapcheck.
   [[nodiscard]] bool has_directives(const std::string& deck) { return known(deck).directives; }
+  /// True if the deck with its includes has *CONTROL_TERMINATION and nodes, without which no run begins; an include
+  /// that is missing may have the nodes. False if the deck cannot be read.
+  [[nodiscard]] bool can_run(const std::string& deck) { return known(deck).can_run; }
 
  private:
   struct Known {
     std::vector<std::string> includes;
     bool directives = false;
+    bool can_run = false;
   };
   const Known& known(const std::string& deck);
 

@@ -46,6 +46,13 @@ void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
           ->check(amount)
           ->type_name("X")};
   for (CLI::Option* option : options) option->group("Selection");
+  command
+      .add_option("--changed", arguments.changed,
+                  "Only decks that this file belongs to, be it the deck or an include; repeatable")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("FILE")
+      ->group("Selection");
   add_list(
       command, "--as-if", arguments.as_if,
       "Audit as if all contacts had this value: SST=0.5, OPTT=0, …; 'thickness': the workshop's check, SST and MST "
@@ -56,10 +63,7 @@ void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
 }
 
 void add_deck_output(CLI::App& command, AuditArguments& arguments) {
-  command
-      .add_option("--html-index", arguments.html_index, "Write a page with a line for each deck, and links to --html")
-      ->type_name("FILE")
-      ->group("Output");
+  add_overview(command, arguments.overview);
   command
       .add_flag("--portability", arguments.audit.portability,
                 "Also list contact keywords, options and fields that other programs do not read")

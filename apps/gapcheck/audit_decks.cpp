@@ -60,8 +60,10 @@ AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) 
 
 /// Every file that the call writes.
 std::vector<PlannedOutput> files_written(const AuditArguments& arguments, const std::vector<std::string>& decks) {
-  std::vector<PlannedOutput> outputs{
-      {"--output", arguments.output.output}, {"--html-index", arguments.html_index}, {"--results", arguments.results}};
+  std::vector<PlannedOutput> outputs{{"--output", arguments.output.output},
+                                     {"--html-index", arguments.overview.html_index},
+                                     {"--summary", arguments.overview.summary},
+                                     {"--results", arguments.results}};
   for (const std::string& deck : decks) {
     const AuditArguments own = arguments_for(deck, arguments);
     outputs.push_back({"--html", own.output.html, deck});
@@ -96,7 +98,7 @@ Status check_files(const AuditArguments& arguments, const std::vector<std::strin
     if (arguments.selection && same_file(arguments_for(deck, arguments).baseline))
       return plain_error(
           "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file");
-  if (arguments.html_index.find("{deck}") != std::string::npos)
+  if (arguments.overview.html_index.find("{deck}") != std::string::npos)
     return plain_error("--html-index is one page about all decks; {deck} belongs into the name of --html");
   if (decks.size() > 1 && !arguments.baseline.compare.empty() &&
       arguments.baseline.compare.find("{deck}") == std::string::npos)
@@ -159,7 +161,7 @@ class Run {
     if (results_.reports.empty() && !several()) return failed;
     if (arguments_.shard.whole())
       check_ids(results_, {arguments_.audit.contacts, arguments_.audit.parts}, several(), failures_);
-    return write_results(results_, arguments_.output, arguments_.html_index, failures_);
+    return write_results(results_, arguments_.output, arguments_.overview, failures_);
   }
 
  private:
@@ -306,6 +308,19 @@ int audit_all(AuditArguments arguments, ChosenDecks decks, DeckFiles& files) {
   return Run(std::move(arguments), std::move(decks), files, std::move(stored)).run();
 }
 
+/// Which files of the list are not audited alone.
+void print_left_out(const DeckList& list) {
+  const auto say = [](const std::vector<std::string>& files, std::string_view what) {
+    if (const std::size_t count = files.size(); count > 0)
+      print(Diagnostic{Severity::note, "", 0,
+                       fmt::format("{} {} found {}; the first is {}", count, count == 1 ? "file was" : "files were",
+                                   what, files.front())});
+  };
+  say(list.parts_of_others, "that other decks include, and not audited alone");
+  say(list.incomplete, "that no deck includes, without nodes or *CONTROL_TERMINATION, and not audited");
+  if (list.decks.empty()) print(Diagnostic{Severity::note, "", 0, "no deck has one of the changed files"});
+}
+
 }  // namespace
 
 bool selects(const audit::AuditOptions& audit) {
@@ -319,17 +334,17 @@ int audit_decks(AuditArguments arguments) {
   arguments.audit.read.cache = &cache;
   DeckFiles files(arguments.audit.read);
   Diagnostics diagnostics;
-  const DeckList list = list_decks(arguments.decks, files, diagnostics);
+  const DeckList list = arguments.changed.empty()
+                            ? list_decks(arguments.decks, files, diagnostics)
+                            : changed_decks(arguments.decks, arguments.changed, files, diagnostics);
   print(diagnostics, arguments.output.text.quiet);
   if (diagnostics.has_errors()) return failed;
   if (const Status status = check_files(arguments, list.decks, files); !status.ok()) {
     print(status.error());
     return failed;
   }
-  if (const std::size_t parts = list.parts_of_others.size(); parts > 0 && !arguments.output.text.quiet)
-    print(Diagnostic{Severity::note, "", 0,
-                     fmt::format("{} {} found that other decks include, and not audited alone; the first is {}", parts,
-                                 parts == 1 ? "file was" : "files were", list.parts_of_others.front())});
+  if (!arguments.output.text.quiet) print_left_out(list);
+  if (list.decks.empty()) return clean;
   constexpr std::uint64_t kept_for_others = std::uint64_t{1} << 30;
   if (list.decks.size() > 1) cache.keep_included(kept_for_others);
   const JobLimit limit(arguments.jobs);

@@ -13,7 +13,8 @@ namespace gapcheck::app {
 
 /// The input of `gapcheck audit`.
 struct AuditArguments {
-  std::vector<std::string> decks;  ///< paths and patterns
+  std::vector<std::string> decks;    ///< paths and patterns
+  std::vector<std::string> changed;  ///< only decks that one of these files belongs to; none: all
   std::string missing_includes = "error";
   std::vector<std::string> as_if;
   std::string units;
@@ -21,9 +22,9 @@ struct AuditArguments {
   OutputOptions output;
   ExportOptions exports;
   BaselineOptions baseline;
-  std::string html_index;  ///< path of the page about all decks; empty: not requested
-  std::string results;     ///< path of the file that keeps what is found in each deck; empty: not requested
-  Shard shard;             ///< which of the decks
+  OverviewOptions overview;
+  std::string results;  ///< path of the file that keeps what is found in each deck; empty: not requested
+  Shard shard;          ///< which of the decks
   SettingsOptions settings_file;
   Settings settings;       ///< what that file says besides options
   bool selection = false;  ///< the command line leaves something out; what settings leave out does not count

@@ -129,6 +129,12 @@ class Choice {
     return stays;
   }
 
+  /// True if one of the files, given by canonical path, is the candidate or is included by it.
+  [[nodiscard]] bool has_any(std::size_t i, const std::set<std::string>& paths) const {
+    return std::ranges::any_of(
+        paths, [&](const std::string& path) { return path == all_[i].canonical || includes_[i].contains(path); });
+  }
+
  private:
   /// Only files that it includes itself include this file: of files that include one another in a circle the first is
   /// enough, and reading it reports the fault.
@@ -153,6 +159,22 @@ DeckList list_decks(const std::vector<std::string>& arguments, DeckFiles& files,
   const bool named = std::all_of(all.begin(), all.end(), [](const Candidate& candidate) { return candidate.named; });
   const std::vector<bool> decks = named ? std::vector<bool>(all.size(), true) : Choice(all, files).decks();
   for (std::size_t i = 0; i < all.size(); ++i) (decks[i] ? list.decks : list.parts_of_others).push_back(all[i].path);
+  return list;
+}
+
+DeckList changed_decks(const std::vector<std::string>& arguments, const std::vector<std::string>& changed,
+                       DeckFiles& files, Diagnostics& diagnostics) {
+  std::vector<Candidate> all = candidates(arguments, diagnostics);
+  for (Candidate& candidate : all) candidate.named = false;
+  std::set<std::string> paths;
+  for (const std::string& file : changed) paths.insert(canonical(file));
+  Choice choice(all, files);
+  const std::vector<bool> decks = choice.decks();
+  DeckList list;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (decks[i] && choice.has_any(i, paths))
+      (files.can_run(all[i].path) ? list.decks : list.incomplete).push_back(all[i].path);
+  }
   return list;
 }
 

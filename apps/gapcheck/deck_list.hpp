@@ -11,6 +11,7 @@ namespace gapcheck::app {
 struct DeckList {
   std::vector<std::string> decks;            ///< paths, each file once
   std::vector<std::string> parts_of_others;  ///< found by a pattern but left out: another of the decks includes them
+  std::vector<std::string> incomplete;       ///< left out by changed_decks(): no run can begin with them
 };
 
 /// Decks from the command line: literal paths, and patterns (`*`, `?`, `**` for any folders) that are not the name of a
@@ -20,6 +21,11 @@ struct DeckList {
 /// a call should take.
 [[nodiscard]] DeckList list_decks(const std::vector<std::string>& arguments, DeckFiles& files,
                                   Diagnostics& diagnostics);
+
+/// Of the decks that list_decks() finds those that one of the files `changed` belongs to. A named file, too, is not a
+/// deck if another one includes it. A file that nobody includes is one only if it can run (DeckFiles::can_run).
+[[nodiscard]] DeckList changed_decks(const std::vector<std::string>& arguments, const std::vector<std::string>& changed,
+                                     DeckFiles& files, Diagnostics& diagnostics);
 
 /// `name` with {deck} replaced by the deck's path: without its extension, and never leading out of the folder in
 /// `name`. "reports/{deck}.html" and "models/side/a.k" give "reports/models/side/a.html".

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
@@ -22,7 +23,9 @@
 #include "report/export/finding_grid.hpp"
 #include "report/format/formats.hpp"
 #include "report/html/html.hpp"
+#include "report/html/html_index.hpp"
 #include "report/item/describe.hpp"
+#include "report/text/rule_table.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -175,6 +178,23 @@ int exit_code(const Report& report, const std::string& fail_on) {
   return counted > 0 ? findings : clean;
 }
 
+void add_overview(CLI::App& command, OverviewOptions& options) {
+  const std::vector<CLI::Option*> added{
+      command
+          .add_option("--html-index", options.html_index, "Write a page with a line for each deck and for each rule")
+          ->type_name("FILE"),
+      command
+          .add_option("--summary", options.summary, "Write a table: each rule, in how many decks, how many findings")
+          ->type_name("FILE")};
+  for (CLI::Option* option : added) option->group("Output");
+}
+
+void write(const report::Reports& reports, const OverviewOptions& options, Failures& failures) {
+  if (!options.html_index.empty())
+    failures.add(write_file(options.html_index, report::html_index(reports, options.html_index, version())));
+  if (!options.summary.empty()) failures.add(write_file(options.summary, report::rule_table(reports)));
+}
+
 void add_exports(CLI::App& command, ExportOptions& options) {
   const std::vector<CLI::Option*> added{
       command.add_option("--key", options.key, "Write a keyword file with one beam per penetration")->type_name("FILE"),
@@ -213,10 +233,10 @@ void write(const Report& report, const ExportOptions& options, const report::Nod
   write(options.sets, [&] { return report::keyword_sets(report, options.set_id); });
 }
 
-void add_plain_report(CLI::App& command, std::string& format, std::string& output, std::size_t& top,
-                      const std::string& listed, bool& quiet) {
-  command.add_option("--format", format, "Of the report: text or json")
-      ->check(CLI::IsMember({"text", "json"}))
+void add_plain_report(CLI::App& command, const std::vector<std::string>& formats, std::string& format,
+                      std::string& output, std::size_t& top, const std::string& listed, bool& quiet) {
+  command.add_option("--format", format, fmt::format("Of the report: {}", fmt::join(formats, ", ")))
+      ->check(CLI::IsMember(formats))
       ->capture_default_str();
   command.add_option("--output", output, "Write the report to a file instead of standard output")->type_name("FILE");
   command.add_option("--top", top, listed + " that the text lists")

@@ -55,6 +55,15 @@ void add_output(CLI::App& command, OutputOptions& options);
 /// Clean or findings, according to --fail-on.
 [[nodiscard]] int exit_code(const Report& report, const std::string& fail_on);
 
+/// Files about all decks of a call; empty names: not requested.
+struct OverviewOptions {
+  std::string html_index, summary;
+};
+void add_overview(CLI::App& command, OverviewOptions& options);
+
+/// Writes the files, as many as can be written.
+void write(const report::Reports& reports, const OverviewOptions& options, Failures& failures);
+
 /// Files for post-processors; empty names: not requested.
 struct ExportOptions {
   std::string key, ani, a4sel, medina, vtu, sets;
@@ -67,9 +76,9 @@ void add_exports(CLI::App& command, ExportOptions& options);
 void write(const Report& report, const ExportOptions& options, const report::NodePosition& position,
            Failures& failures);
 
-/// --format, --output, --top and --quiet of a report that is text or JSON; `listed`: what the text lists --top of.
-void add_plain_report(CLI::App& command, std::string& format, std::string& output, std::size_t& top,
-                      const std::string& listed, bool& quiet);
+/// --format, --output, --top and --quiet of a report in one of `formats`; `listed`: what the text lists --top of.
+void add_plain_report(CLI::App& command, const std::vector<std::string>& formats, std::string& format,
+                      std::string& output, std::size_t& top, const std::string& listed, bool& quiet);
 
 void add_jobs(CLI::App& command, std::size_t& jobs);
 

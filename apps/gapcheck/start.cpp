@@ -178,7 +178,7 @@ void add_start(CLI::App& app, Action& action) {
       ->add_option("--write-deck", arguments->directory,
                    "Directory for the deck with the nodes where they start; made where it is not there")
       ->type_name("DIR");
-  add_plain_report(*command, arguments->format, arguments->output, arguments->text.top,
+  add_plain_report(*command, {"text", "json"}, arguments->format, arguments->output, arguments->text.top,
                    "Pairs of parts, elements and nodes", arguments->text.quiet);
   add_before_after(*command, arguments->pictures);
   command->add_flag("--stats", arguments->stats, "Show counters, on standard error");

@@ -28,7 +28,10 @@ CLASSES = {"tool": sarif_om.Tool, "driver": sarif_om.ToolComponent, "rules": sar
            "region": sarif_om.Region, "logicalLocations": sarif_om.LogicalLocation, "message": sarif_om.Message,
            "shortDescription": sarif_om.MultiformatMessageString, "help": sarif_om.MultiformatMessageString,
            "defaultConfiguration": sarif_om.ReportingConfiguration, "suppressions": sarif_om.Suppression,
-           "location": sarif_om.Location}
+           "location": sarif_om.Location, "relatedLocations": sarif_om.Location, "fixes": sarif_om.Fix,
+           "description": sarif_om.Message, "artifactChanges": sarif_om.ArtifactChange,
+           "replacements": sarif_om.Replacement, "deletedRegion": sarif_om.Region,
+           "insertedContent": sarif_om.ArtifactContent}
 
 
 def read_sarif(value, cls):
@@ -48,7 +51,7 @@ def read_sarif(value, cls):
 
 class Checker:
     def __init__(self, gapcheck, root):
-        self.gapcheck, self.root = gapcheck, root
+        self.gapcheck, self.root, self.related = gapcheck, root, 0
         schema = json.loads((root / "docs/schema/gapcheck-1.schema.json").read_text())
         jsonschema.Draft7Validator.check_schema(schema)
         self.schema = jsonschema.Draft7Validator(schema)
@@ -91,6 +94,7 @@ class Checker:
         known = [rule.id for rule in read.runs[0].tool.driver.rules]
         for result in read.runs[0].results:
             assert known[result.rule_index] == result.rule_id, "SARIF names another rule by its index"
+        self.check_related(report, log["runs"][0]["results"])
         if self.public:
             self.public.validate(log)
 
@@ -108,6 +112,21 @@ class Checker:
             assert line.startswith(("::error file=", "::warning file=", "::notice file=")), line
             assert ",title=GC" in line or ",title=ignored::" in line, line
         return count
+
+
+    def check_related(self, report, results):
+        """Every finding of a contact leads to the contact's card, and one that follows from another leads to that."""
+        cards = {contact["id"]: contact.get("line") for contact in report["contacts"]}
+        places = {finding["fingerprint"]: finding.get("line") for finding in report["findings"]}
+        for finding, result in zip(report["findings"], results):
+            related = result.get("relatedLocations", [])
+            lines = [place["physicalLocation"]["region"]["startLine"] for place in related]
+            assert all(place["message"]["text"] for place in related)
+            card = cards.get(finding.get("contact"))
+            assert card is None or card in lines or card == finding["line"], f"the contact's card is not in {result}"
+            cause = places.get(finding.get("cause"))
+            assert cause is None or cause in lines, f"what it follows from is not in {result}"
+            self.related += len(related)
 
 
 def strict(schema):
@@ -160,6 +179,43 @@ def check_repairs(gapcheck, root):
             kinds |= {repair["kind"] for pair in report.get("pairs", []) for repair in pair["repairs"]}
     assert seen == {"pairs", "best", "lines", "files", "proof"}, seen
     assert kinds == {"move", "optt", "sst", "sections", "ignore", "tie", "exclude", "swap"}, kinds
+
+
+def with_fix(text, file, fix):
+    """A deck's text after the replacements of a SARIF fix, which are whole lines."""
+    lines = text.split("\n")
+    for change in fix.artifact_changes:
+        assert change.artifact_location.uri == file, "a repair of another file"
+        for replacement in sorted(change.replacements, key=lambda one: -one.deleted_region.start_line):
+            region = replacement.deleted_region
+            assert (region.start_column, region.end_line, region.end_column) == (None, None, None)
+            lines[region.start_line - 1] = replacement.inserted_content.text
+    return "\n".join(lines)
+
+
+def check_fixes(checker):
+    """The repairs as SARIF: a reader that others wrote applies each, and gets the file that gapcheck writes."""
+    fixes = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for deck in sorted((checker.root / "data").glob("*.k")):
+            name = str(deck.relative_to(checker.root))
+            run = subprocess.run([checker.gapcheck, "fix", name, "--plan", "--format", "sarif"], capture_output=True,
+                                 text=True, cwd=checker.root)
+            assert run.returncode in (0, 1), run.stderr
+            log = json.loads(run.stdout)
+            if checker.public:
+                checker.public.validate(log)
+            (read,) = read_sarif(log, sarif_om.SarifLog).runs
+            for fix in [fix for result in read.results for fix in result.fixes]:
+                repair = fix.description.text.split(":")[0]
+                run = subprocess.run([checker.gapcheck, "fix", name, "--apply", repair, "-o", folder, "--quiet"],
+                                     capture_output=True, text=True, cwd=checker.root)
+                assert run.returncode in (0, 1), run.stderr
+                written = (pathlib.Path(folder) / deck.name).read_text()
+                assert with_fix(deck.read_text(), name, fix) == written != deck.read_text(), f"{name}: {repair}"
+                fixes += 1
+    assert fixes > 50, fixes
+    return fixes
 
 
 def check_start(gapcheck, root):
@@ -229,6 +285,11 @@ def check_several(checker):
     counts = [len(deck["findings"]) for deck in alone]
     total = {key: sum(deck["summary"][key] for deck in alone) for key in ("errors", "warnings", "notes")}
     assert report["summary"] == {"decks": 2, "unread": 1} | total and report["unread"] == ["data/missing.k"]
+    rules = {rule["id"]: rule for rule in report["rules"]}
+    for rule in rules.values():
+        of_rule = [[finding for finding in deck["findings"] if finding["id"] == rule["id"]] for deck in alone]
+        assert (rule["decks"], rule["findings"]) == (sum(map(bool, of_rule)), sum(map(len, of_rule))), rule
+    assert set(rules) == {finding["id"] for deck in alone for finding in deck["findings"]} and len(rules) > 2
     runs = read_sarif(json.loads(written["sarif"].stdout), sarif_om.SarifLog).runs
     assert [len(run.results) for run in runs] == counts
     assert len({run.automation_details["id"] for run in runs}) == 2
@@ -314,12 +375,14 @@ def main():
     check_fix(checker.gapcheck, checker.root)
     check_repairs(checker.gapcheck, checker.root)
     check_start(checker.gapcheck, checker.root)
+    fixes = check_fixes(checker)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300
     logs = [f"tests/apps/fixtures/{name}" for name in ("smp/messag", "mpp/mes0000", "clean/messag", "soft2/messag")]
     findings += sum(checker.check(["messag", log]) for log in logs)
-    print(f"{len(decks)} decks, {len(logs)} logs, {findings} findings, every format as its readers want it")
+    assert checker.related > 300, checker.related
+    print(f"{len(decks)} decks, {len(logs)} logs, {findings} findings, {fixes} fixes, every format as its readers want it")
 
 
 if __name__ == "__main__":

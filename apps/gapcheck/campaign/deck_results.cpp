@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "base/file_writer.hpp"
 #include "commands.hpp"
-#include "common/version.hpp"
-#include "report/html/html_index.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -37,10 +34,10 @@ void check_ids(const DeckResults& results, const AskedIds& ids, bool several, Fa
   check("--part", "part", ids.parts, has_part);
 }
 
-int write_results(const DeckResults& results, const OutputOptions& output, const std::string& html_index,
+int write_results(const DeckResults& results, const OutputOptions& output, const OverviewOptions& overview,
                   Failures& failures) {
   const report::Reports reports(results.reports, results.unread);
-  if (!html_index.empty()) failures.add(write_file(html_index, report::html_index(reports, html_index, version())));
+  write(reports, overview, failures);
   failures.add(write(reports, output));
   if (failures.any()) return failed;
   int code = clean;

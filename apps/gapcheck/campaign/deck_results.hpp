@@ -27,9 +27,8 @@ struct AskedIds {
 /// the call is about more than one deck.
 void check_ids(const DeckResults& results, const AskedIds& ids, bool several, Failures& failures);
 
-/// Writes the page about all decks, if `html_index` names one, and the results in the form of `output`; the exit code
-/// of all that has happened.
-[[nodiscard]] int write_results(const DeckResults& results, const OutputOptions& output, const std::string& html_index,
-                                Failures& failures);
+/// Writes the files about all decks and the results in the form of `output`; the exit code of all that has happened.
+[[nodiscard]] int write_results(const DeckResults& results, const OutputOptions& output,
+                                const OverviewOptions& overview, Failures& failures);
 
 }  // namespace gapcheck::app

@@ -23,7 +23,7 @@ namespace {
 struct MergeArguments {
   std::vector<std::string> files;
   OutputOptions output;
-  std::string html_index;
+  OverviewOptions overview;
 };
 
 /// One entry and the file that it is from.
@@ -87,7 +87,9 @@ Result<std::vector<Entry>> read_entries(const std::vector<std::string>& files) {
 Status check_files(const MergeArguments& arguments) {
   std::vector<ReadInput> read;
   for (const std::string& file : arguments.files) read.push_back({file, "a file of results"});
-  std::vector<PlannedOutput> outputs{{"--output", arguments.output.output}, {"--html-index", arguments.html_index}};
+  std::vector<PlannedOutput> outputs{{"--output", arguments.output.output},
+                                     {"--html-index", arguments.overview.html_index},
+                                     {"--summary", arguments.overview.summary}};
   std::erase_if(outputs, [](const PlannedOutput& output) { return output.path.empty(); });
   return check_outputs(read, outputs);
 }
@@ -129,7 +131,7 @@ int merge(const MergeArguments& arguments) {
   }
   const DeckResult& first = entries.value().front().result;
   check_ids(results, {first.contacts, first.parts}, first.call.count > 1, failures);
-  return write_results(results, arguments.output, arguments.html_index, failures);
+  return write_results(results, arguments.output, arguments.overview, failures);
 }
 
 }  // namespace
@@ -141,9 +143,7 @@ void add_merge(CLI::App& app, Action& action) {
   command->add_option("FILE", arguments->files, "Files of audit --results, of all shares")->required()->type_name("");
   add_output(*command, arguments->output);
   command->remove_option(command->get_option("--html"));
-  command->add_option("--html-index", arguments->html_index, "Write a page with a line for each deck")
-      ->type_name("FILE")
-      ->group("Output");
+  add_overview(*command, arguments->overview);
   command->callback([&action, arguments] { action = [arguments] { return merge(*arguments); }; });
 }
 

@@ -211,8 +211,8 @@ void add_fix(CLI::App& app, Action& action) {
                     "Nodes of spot welds, rivets and weld elements may move against each other");
   add_verify(*command, *arguments);
   command->get_option("--plan")->excludes(command->get_option("-o"))->excludes(command->get_option("--verify"));
-  add_plain_report(*command, arguments->format, arguments->output, arguments->text.top, "Nodes and pairs of parts",
-                   arguments->text.quiet);
+  add_plain_report(*command, {"text", "json", "sarif"}, arguments->format, arguments->output, arguments->text.top,
+                   "Nodes and pairs of parts", arguments->text.quiet);
   add_before_after(*command, arguments->pictures);
   for (const char* page : {"--html", "--vtu"}) command->get_option("--plan")->excludes(command->get_option(page));
   command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");
@@ -223,6 +223,8 @@ void add_fix(CLI::App& app, Action& action) {
     action = [arguments, command] {
       Failures failures(print);
       arguments->settings_path = use_settings(arguments->settings, arguments->deck, false, *command, failures).path;
+      if (arguments->format == "sarif" && !arguments->plan)
+        failures.add(plain_error("--format sarif has the repairs of --plan; give --plan too"));
       if (failures.any()) return static_cast<int>(failed);
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));

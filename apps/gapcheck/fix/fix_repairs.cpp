@@ -11,6 +11,7 @@
 #include "changed_files.hpp"
 #include "commands.hpp"
 #include "common/file_guard.hpp"
+#include "common/version.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
@@ -44,12 +45,15 @@ Status write_report(const FixArguments& arguments, const std::string& text) {
   return output.close();
 }
 
+std::string text_of(const RepairPlan& plan, const FixArguments& arguments) {
+  if (arguments.format == "sarif") return report::plan_sarif(plan, version());
+  return arguments.format == "json" ? report::plan_json(plan) : report::plan_text(plan, arguments.text);
+}
+
 int plan(const keyword::Deck& deck, const FixArguments& arguments, RepairPlan& plan) {
   plan.input = arguments.deck;
   Status status = check_fix_report(deck, arguments, {});
-  if (status.ok())
-    status = write_report(
-        arguments, arguments.format == "json" ? report::plan_json(plan) : report::plan_text(plan, arguments.text));
+  if (status.ok()) status = write_report(arguments, text_of(plan, arguments));
   if (!status.ok()) {
     print(status.error());
     return failed;

@@ -21,7 +21,8 @@ struct RuleText {
 };
 
 /// SARIF 2.1.0 (OASIS, sections 3.13 to 3.49): one run per deck, rules with their help, one result per finding with
-/// file and line, the node as a logical location, `partialFingerprints`. `version` is the program's.
+/// file and line, the node as a logical location, the contact's card and the finding that it follows from as related
+/// locations, `partialFingerprints`. `version` is the program's.
 void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink);
 
 /// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "report/baseline/baseline.hpp"
+#include "report/baseline/rule_counts.hpp"
 #include "report/format/json_portability.hpp"
 #include "report/format/json_run.hpp"
 #include "report/item/causes.hpp"
@@ -345,6 +346,23 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
   stream.text("}");
 }
 
+/// The rules of all decks, and what each has found.
+void append_rules(const Reports& reports, Stream& stream) {
+  const bool with_baseline = baseline_counts(reports).has_value();
+  bool first = true;
+  for (const RuleCount& rule : rule_counts(reports.all)) {
+    stream.separator(std::exchange(first, false));
+    Members object(stream.buffer);
+    object.string("id", rule.id);
+    object.string("rule", rule.rule);
+    object.plain("severity", name(rule.severity));
+    object.integer("decks", rule.decks);
+    object.integer("findings", rule.findings);
+    if (with_baseline) stream.text(counts_of(rule.baseline));
+    object.close();
+  }
+}
+
 /// The part after the decks: missing ones, and all findings together.
 void append_sum(const Reports& reports, Stream& stream) {
   stream.text("],\n\"unread\":[");
@@ -357,6 +375,8 @@ void append_sum(const Reports& reports, Stream& stream) {
     stream.separator(i == 0);
     stream.text(json_string(reports.unread[i].reason));
   }
+  stream.text("],\n\"rules\":[");
+  append_rules(reports, stream);
   Totals sum;
   std::size_t ignored = 0, following = 0;
   for (const Report& report : reports.all) {

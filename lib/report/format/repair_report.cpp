@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "records/record_rules.hpp"
 #include "report/format/fix_proof_report.hpp"
 #include "report/format/fix_words.hpp"
 #include "report/item/describe.hpp"
+#include "report/write/percent_encoding.hpp"
 #include "report/write/table.hpp"
 
 namespace gapcheck::report {
@@ -153,7 +156,55 @@ Json repair_json(const Repair& repair) {
   return json;
 }
 
+/// The rule that the nodes of a pair are findings of.
+const RuleIdentity& pair_rule(const RepairPair& pair) {
+  if (pair.of_ties) return record_rules::untied_node;
+  return pair.released > 0 ? record_rules::released_node : record_rules::initial_penetration;
+}
+
+Json place_json(const std::string& file) { return {{"artifactLocation", {{"uri", file_uri(file)}}}}; }
+
+/// The lines of a repair as a fix object: whole lines are taken out and put in.
+Json fix_json(const Repair& repair) {
+  std::map<std::string, Json> files;
+  for (const RepairLine& line : repair.lines)
+    files.try_emplace(line.file, Json::array())
+        .first->second.push_back(
+            {{"deletedRegion", {{"startLine", line.line}}}, {"insertedContent", {{"text", line.after}}}});
+  Json fix{{"description", {{"text", repair.id + ": " + what(repair)}}}, {"artifactChanges", Json::array()}};
+  for (auto& [file, replacements] : files) {
+    Json change = place_json(file);
+    change["replacements"] = std::move(replacements);
+    fix["artifactChanges"].push_back(std::move(change));
+  }
+  return fix;
+}
+
+Json result_json(const RepairPair& pair, const std::string& input) {
+  const RuleIdentity& rule = pair_rule(pair);
+  Json result{{"ruleId", rule.id},
+              {"level", name(rule.severity)},
+              {"message", {{"text", heading(pair)}}},
+              {"locations", Json::array({{{"physicalLocation", place_json(input)}}})},
+              {"fixes", Json::array()}};
+  for (const Repair& repair : pair.repairs)
+    if (pair.tried && repair.outcome.solves() && !repair.lines.empty()) result["fixes"].push_back(fix_json(repair));
+  return result;
+}
+
 }  // namespace
+
+std::string plan_sarif(const RepairPlan& plan, std::string_view version) {
+  Json results = Json::array();
+  for (const RepairPair& pair : plan.pairs) results.push_back(result_json(pair, plan.input));
+  const Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                 {"version", "2.1.0"},
+                 {"runs", Json::array({{{"tool", {{"driver", {{"name", "gapcheck"}, {"version", version}}}}},
+                                        {"columnKind", "utf16CodeUnits"},
+                                        {"automationDetails", {{"id", fmt::format("gapcheck-fix/{}/", plan.input)}}},
+                                        {"results", std::move(results)}}})}};
+  return log.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 std::string plan_text(const RepairPlan& plan, const FixTextOptions& options) {
   if (options.quiet) return last_line(plan);

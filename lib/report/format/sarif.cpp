@@ -2,37 +2,23 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "report/baseline/baseline.hpp"
 #include "report/format/formats.hpp"
+#include "report/item/causes.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/fingerprint.hpp"
 #include "report/item/item.hpp"
 #include "report/write/json_members.hpp"
-#include "report/write/normal_path.hpp"
+#include "report/write/percent_encoding.hpp"
 #include "report/write/stream.hpp"
 
 namespace gapcheck::report {
 namespace {
-
-/// A path as the reference of a URI: separators stay, everything that is not plain is escaped; absolute ones get a
-/// scheme.
-std::string uri(std::string_view name) {
-  const std::string path = normal_path(name);
-  std::string out = path.starts_with('/') ? "file://" : "";
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '/' ||
-                       c == '-' || c == '_' || c == '.' || c == '~';
-    if (plain)
-      out += c;
-    else
-      out += fmt::format("%{:02X}", byte);
-  }
-  return out;
-}
 
 void append_text(std::string_view key, std::string_view text, Members& object) {
   object.object(key, [&](Members& message) { message.string("text", text); });
@@ -41,7 +27,7 @@ void append_text(std::string_view key, std::string_view text, Members& object) {
 /// `line` 0: the whole file.
 void append_place(std::string_view file, std::uint32_t line, Members& location) {
   location.object("physicalLocation", [&](Members& physical) {
-    physical.object("artifactLocation", [&](Members& artifact) { artifact.string("uri", uri(file)); });
+    physical.object("artifactLocation", [&](Members& artifact) { artifact.string("uri", file_uri(file)); });
     if (line != 0) physical.object("region", [&](Members& region) { region.integer("startLine", line); });
   });
 }
@@ -111,7 +97,57 @@ void append_suppression(const IgnoreSource& source, Members& result, Buffer& out
   out.push_back(']');
 }
 
-void append_result(const Item& item, std::size_t rule, std::string_view input, Buffer& out) {
+/// A place that explains a result, with a sentence about it.
+void append_related_place(std::string_view file, std::uint32_t line, std::string_view text, Buffer& out) {
+  if (out.size() > 0) out.push_back(',');
+  Members location(out);
+  append_place(file, line, location);
+  append_text("message", text, location);
+  location.close();
+}
+
+/// The cards of the contacts, each as a related location; empty where the file is not known.
+std::vector<std::string> contact_places(const Report& report) {
+  std::vector<std::string> places;
+  for (const ContactSummary& contact : report.contacts) {
+    Buffer place;
+    if (!contact.file.empty()) {
+      const std::string title = contact.title.empty() ? "" : fmt::format(" \"{}\"", contact.title);
+      append_related_place(contact.file, contact.line,
+                           fmt::format("contact {}{}: *{}", contact.id, title, contact.keyword), place);
+    }
+    places.push_back(fmt::to_string(place));
+  }
+  return places;
+}
+
+/// What explains a finding: the card of its contact, unless it is reported there, and the finding that it follows from.
+void append_related(const Item& item, const Report& report, const std::vector<std::string>& contacts,
+                    const Finding* cause, Members& result, Buffer& out) {
+  Buffer places;
+  if (item.of_contact()) {
+    const ContactSummary& contact = report.contacts[item.contact_position];
+    if (item.file != contact.file || item.line != contact.line)
+      places.append(std::string_view(contacts[item.contact_position]));
+  }
+  if (cause != nullptr && !cause->file.empty())
+    append_related_place(cause->file, cause->line, "follows from " + cause->id + ": " + cause->message, places);
+  if (places.size() == 0) return;
+  result.key("relatedLocations");
+  out.push_back('[');
+  out.append(places);
+  out.push_back(']');
+}
+
+/// What all results of a report need.
+struct ResultContext {
+  const Report& report;
+  const std::vector<std::string>& contacts;  ///< contact_places()
+};
+
+/// `rule`: position among the tool's rules, or npos. `cause`: the finding that this one follows from; nullptr: none.
+void append_result(const Item& item, std::size_t rule, const Finding* cause, const ResultContext& context,
+                   Buffer& out) {
   Members result(out);
   result.string("ruleId", item.id);
   if (rule != std::string_view::npos) result.integer("ruleIndex", rule);
@@ -120,10 +156,11 @@ void append_result(const Item& item, std::size_t rule, std::string_view input, B
   result.key("locations");
   out.push_back('[');
   Members location(out);
-  append_place(item.file.empty() ? input : item.file, item.line, location);
+  append_place(item.file.empty() ? context.report.input : item.file, item.line, location);
   append_entities(item, location, out);
   location.close();
   out.push_back(']');
+  append_related(item, context.report, context.contacts, cause, result, out);
   if (item.count > 1) result.integer("occurrenceCount", item.count);
   append_fingerprint(item.fingerprint, result);
   if (item.state) result.plain("baselineState", baseline_state(*item.state));
@@ -168,12 +205,18 @@ void append_sarif_run(const Report& report, std::string_view version, std::span<
   stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
   stream.text("},\n\"results\":[");
   const Items items(report), ignored = Items::ignored(report);
-  const auto append = [&](const Item& item, Buffer& out) {
+  const std::vector<std::string> contacts = contact_places(report);
+  const Causes causes(report);
+  const std::size_t records = report.penetrations.size() + report.tie_failures.size();
+  const auto append = [&](const Item& item, const Finding* cause, Buffer& out) {
     const auto rule = index.find(item.id);
-    append_result(item, rule == index.end() ? std::string_view::npos : rule->second, report.input, out);
+    append_result(item, rule == index.end() ? std::string_view::npos : rule->second, cause, {report, contacts}, out);
   };
-  stream.lines(items.size(), true, [&](std::size_t i, Buffer& out) { append(items[i], out); });
-  stream.lines(ignored.size(), items.size() == 0, [&](std::size_t i, Buffer& out) { append(ignored[i], out); });
+  stream.lines(items.size(), true, [&](std::size_t i, Buffer& out) {
+    append(items[i], i < records ? nullptr : causes.of(report.findings[i - records]), out);
+  });
+  stream.lines(ignored.size(), items.size() == 0,
+               [&](std::size_t i, Buffer& out) { append(ignored[i], nullptr, out); });
   bool first = items.size() + ignored.size() == 0;
   if (report.baseline) {
     for (const KnownFinding& finding : report.baseline->gone) {

@@ -7,28 +7,16 @@
 #include <system_error>
 #include <vector>
 
+#include "report/baseline/rule_counts.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/finding_groups.hpp"
 #include "report/item/item.hpp"
+#include "report/write/percent_encoding.hpp"
 #include "report/write/plain_page.hpp"
 #include "report/write/xml_text.hpp"
 
 namespace gapcheck::report {
 namespace {
-
-/// A path as a link: every byte that has a meaning there is escaped, so that no path is taken for an address.
-std::string percent_encoded(std::string_view path) {
-  std::string link;
-  for (const char c : path) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("/._-~").find(c) != std::string_view::npos;
-    if (plain)
-      link += c;
-    else
-      link += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return link;
-}
 
 /// The way from the index to a page.
 std::string link_between(const std::string& index, const std::string& page) {
@@ -85,6 +73,28 @@ IndexRow row_of(const Unread& unread) {
                          xml_text(unread.deck), xml_text(unread.reason))};
 }
 
+/// The table of rules; nothing if none has found anything.
+std::string rules_table(const Reports& reports) {
+  const auto rules = rule_counts(reports.all);
+  if (rules.empty()) return "";
+  const bool with_baseline = baseline_counts(reports).has_value();
+  std::string table = "<table>\n<tr><th>rule</th><th>severity</th>";
+  const auto title = [&](std::string_view text) { table += fmt::format("<th class=\"number\">{}</th>", text); };
+  const auto cell = [&](std::size_t number) { table += fmt::format("<td class=\"number\">{}</td>", number); };
+  for (const char* text : {"decks", "findings"}) title(text);
+  if (with_baseline)
+    for (const char* text : {"new", "worse", "unchanged", "gone"}) title(text);
+  for (const RuleCount& rule : rules) {
+    table += fmt::format("</tr>\n<tr><td>{} {}</td><td class=\"{}\">{}</td>", xml_text(rule.id), xml_text(rule.rule),
+                         name(rule.severity), name(rule.severity));
+    const BaselineCounts& counts = rule.baseline;
+    for (const std::size_t number : {rule.decks, rule.findings}) cell(number);
+    if (with_baseline)
+      for (const std::size_t number : {counts.fresh, counts.worse, counts.unchanged, counts.gone}) cell(number);
+  }
+  return table + "</tr>\n</table>\n";
+}
+
 }  // namespace
 
 std::string html_index(const Reports& reports, const std::string& path, std::string_view version) {
@@ -105,7 +115,8 @@ std::string html_index(const Reports& reports, const std::string& path, std::str
       "<table>\n<tr><th>deck</th><th>verdict</th><th class=\"number\">errors</th><th class=\"number\">warnings</th>"
       "<th class=\"number\">notes</th><th>worst finding</th></tr>\n";
   for (const IndexRow& row : rows) page += row.text;
-  return page + fmt::format("</table>\n<p>gapcheck {}</p>\n</body>\n</html>\n", xml_text(version));
+  page += "</table>\n<h1>Rules</h1>\n" + rules_table(reports);
+  return page + fmt::format("<p>gapcheck {}</p>\n</body>\n</html>\n", xml_text(version));
 }
 
 }  // namespace gapcheck::report

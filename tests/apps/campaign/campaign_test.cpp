@@ -47,16 +47,23 @@ const std::vector<std::string> formats{"text", "json", "sarif", "junit", "github
 TEST_F(Campaign, MergedSharesEqualOneCall) {
   for (int number = 1; number <= 3; ++number) (void)share(number, 3);
   for (const std::string& format : formats) {
-    const std::string written = " --format " + format + " --html-index index.html --output ";
+    const std::string written = " --format " + format + " --html-index index.html --summary rules.md --output ";
     const Ended one = gapcheck("audit 'models/*.k' --fail-on never" + written + "one");
-    const std::string index = content(folder_ / "index.html");
+    const std::string index = content(folder_ / "index.html"), rules = content(folder_ / "rules.md");
+    EXPECT_NE(rules.find("| GC101 initial-penetration | warning | 4 |"), std::string::npos) << rules;
     const Ended merged = gapcheck("merge share2 share3 share1 --fail-on never" + written + "merged");
     EXPECT_EQ(without_times(content(folder_ / "merged")), without_times(content(folder_ / "one"))) << format;
     EXPECT_GT(content(folder_ / "one").size(), 200) << format;
     EXPECT_EQ(content(folder_ / "index.html"), index);
+    EXPECT_EQ(content(folder_ / "rules.md"), rules);
     EXPECT_EQ(one.code, 2);
     EXPECT_EQ(merged.code, 2) << "two decks could not be read";
   }
+}
+
+TEST_F(Campaign, TheTableOfRulesIsThatOfThePage) {
+  std::filesystem::copy(folder_ / "models", folder_ / "data");
+  EXPECT_EQ(examples_hold("formats.md", "summary"), 1);
 }
 
 TEST_F(Campaign, OneStoredCallIsMergedByteForByte) {
