@@ -18,7 +18,7 @@ def write_all(folder):
 
 
 def foreign(path):
-    return path.name == "README.md" or path.parts[0] in ("benchmarks", "fix", "workshop")
+    return path.name == "README.md" or path.parts[0] in ("benchmarks", "fix", "tutorial", "workshop")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the pictures of docs/html.md: pages of example decks, and of real ones where a folder of them is given.
+"""Makes the pictures of docs/html.md and docs/tutorial.md: pages of example decks, and of real ones where a folder of them is given.
 
 usage: html_page.py GAPCHECK [DECKS]
 """
@@ -19,6 +19,7 @@ from chromium import Browser, program  # noqa: E402
 EXAMPLES = [
     ("html_light", "two_plates_tilted.k", False, 1200, 800, ""),
     ("html_dark", "solid_on_solid.k", True, 700, 900, ""),
+    ("tutorial", "tutorial/bumper.k", False, 1200, 800, ""),
 ]
 REAL = [
     ("html_car6_released", "car6/car6_crash.k", False, 1200, 800, ""),

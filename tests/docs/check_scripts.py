@@ -71,7 +71,7 @@ LOADED_ONLY = {
     "tests/bench/work_precision/work_precision.py": "builds a program of its own",
 }
 # These write no page of docs/.
-OTHERS = {"scripts/fuzz_programs.py", "scripts/make_fix_scenes.py", "scripts/make_workshop.py", "scripts/mutate.py",
+OTHERS = {"scripts/fuzz_programs.py", "scripts/make_fix_scenes.py", "scripts/make_tutorial.py", "scripts/make_workshop.py", "scripts/mutate.py",
           "scripts/pictures/paraview_grid.py"}
 LOAD = "import runpy, sys; sys.path.insert(0, sys.argv[2]); runpy.run_path(sys.argv[1], run_name='loaded')"
 
