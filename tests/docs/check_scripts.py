@@ -63,6 +63,7 @@ NEEDS = {
 LOADED_ONLY = {
     "scripts/build_time.py": "builds the programs from nothing",
     "scripts/fresh_debian.py": "needs root, debootstrap and the network",
+    "scripts/make_site.py": "needs Sphinx and Doxygen, and takes minutes",
     "scripts/slurm_campaign.py": "needs root, Slurm and munge",
     "scripts/judge_findings.py": "needs decks that are not part of the project",
     "scripts/pictures/html_page.py": "needs Chromium",
