@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Tries gapcheck as on a new machine: a Debian 12 with nothing but its base system, in a folder of its own. Runs the
 commands of the README there, from the clone to the page for a browser, and puts them with their times into
-docs/getting-started.md.
+docs/getting-started.md. With --more it tries the pipelines of docs/ci and the documentation site there too, each with no
+packages but those of its list, and leaves the page as it is.
 
-usage: fresh_debian.py FOLDER [--mirror URL]
+usage: fresh_debian.py FOLDER [--mirror URL] [--more]
 Needs root, debootstrap and the network. FOLDER keeps the base system as an archive; what is tried is unpacked anew.
 """
 
@@ -28,6 +29,17 @@ COMMANDS = [
     "./run audit data/two_plates.k --html two_plates.html",
     "./run fix data/two_plates.k -o fixed",
     "./run audit fixed/two_plates.k",
+]
+INSTALL = "apt-get install -y --no-install-recommends $(cat {} | grep -v '#')"
+GAPCHECK = "build/release/apps/gapcheck/gapcheck"
+MORE = [
+    INSTALL.format("scripts/packages.txt") + " python3-dev pybind11-dev",
+    "cmake --preset release -DGAPCHECK_TESTS=OFF -DGAPCHECK_PYTHON=ON && ninja -C build/release gapcheck gapcheck_python",
+    INSTALL.format("scripts/site/packages.txt"),
+    "python3 -B scripts/make_site.py",
+    "apt-get install -y --no-install-recommends pre-commit python3-junitparser python3-yaml",
+    f"python3 -B tests/ci/check_pre_commit.py {GAPCHECK}",
+    f"python3 -B tests/ci/check_pipelines.py {GAPCHECK}",
 ]
 
 
@@ -78,12 +90,13 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--mirror", default="http://deb.debian.org/debian")
+    parser.add_argument("--more", action="store_true", help="try the pipelines and the site too; writes no page")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     tree = unpack(base_system(arguments.folder, arguments.mirror), arguments.folder)
     rows, place = [], "/root"
     try:
-        for command in COMMANDS:
+        for command in COMMANDS + (MORE if arguments.more else []):
             if command.startswith("cd "):
                 place += "/" + command[3:]
                 rows.append(f"| `{command}` | | |")
@@ -101,6 +114,8 @@ def main():
                     "no compiler cache; times of the network are in the first rows.")
     finally:
         subprocess.run(["umount", tree / "proc"], check=False)
+    if arguments.more:
+        return
     guide = ROOT / "docs/getting-started.md"
     table = "| command | last line | time |\n|---|---|---:|\n" + "\n".join(rows)
     guide.write_text(section("fresh", guide.read_text(), table))
