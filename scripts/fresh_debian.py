@@ -109,6 +109,8 @@ def main():
             parts = f", {spoken(packages.stat().st_mtime - start)} of it for packages" if first else ""
             rows.append(f"| `{command.replace('/srv/gapcheck.git', 'ADDRESS')}` | {shown} | {spoken(seconds)}{parts} |")
             print(f"{command}: exit {status}, {seconds:.1f} s, {last}", flush=True)
+            if command in MORE and status != 0:
+                sys.exit(f"{command} failed")
         page = tree / "root/gapcheck/two_plates.html"
         rows.append(f"\nThe page `two_plates.html` has {page.stat().st_size / 1e6:.1f} MB. {machine()}; "
                     "no compiler cache; times of the network are in the first rows.")
