@@ -1,4 +1,4 @@
-// Many pairs of every family against numbers without rounding. GAPCHECK_STRESS_PAIRS sets how many (100,000 each).
+// Many pairs of every family against numbers without rounding. GAPCHECK_STRESS_PAIRS sets how many (30,000 each).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ double down(double x) { return std::nextafter(x, 0.0); }
 /// Nothing if the variable does not hold a number.
 std::optional<std::uint64_t> pairs_per_family() {
   const char* const text = std::getenv("GAPCHECK_STRESS_PAIRS");
-  if (text == nullptr) return 100'000;
+  if (text == nullptr) return 30'000;
   const std::string value(text);
   std::uint64_t pairs = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), pairs);
