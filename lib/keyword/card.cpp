@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/number.hpp"
-#include "keyword/line_ends.hpp"
 #include "keyword/text/blanks_in_number.hpp"
+#include "keyword/text/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {

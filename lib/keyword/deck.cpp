@@ -10,8 +10,9 @@
 #include "base/number.hpp"
 #include "keyword/cases.hpp"
 #include "keyword/deck_reader.hpp"
-#include "keyword/line_ends.hpp"
+#include "keyword/keyword_line.hpp"
 #include "keyword/template_fields.hpp"
+#include "keyword/text/line_ends.hpp"
 #include "keyword/transformation.hpp"
 #include "keyword/upper_case.hpp"
 
@@ -58,29 +59,6 @@ Status check_keywords(std::string_view bytes, const std::vector<Mark>& marks, co
                     "holds no keyword (no line of it starts with *); give an LS-DYNA keyword file"};
 }
 
-/// The letter after `NAME=` among the options of *KEYWORD; NUL if absent.
-char option_letter(std::string_view options, std::string_view name) {
-  for (auto at = options.find(name); at != std::string_view::npos; at = options.find(name, at + 1)) {
-    if (at > 0 && options[at - 1] != ' ' && options[at - 1] != ',') continue;
-    const auto rest = trimmed(options.substr(at + name.size()));
-    const auto value = rest.starts_with('=') ? trimmed(rest.substr(1)) : std::string_view{};
-    if (!value.empty()) return value.front();
-  }
-  return '\0';
-}
-
-Format format_of(std::string_view options, Format inherited) {
-  const std::string upper = upper_case(options);
-  const char long_fields = option_letter(upper, "LONG"), i10 = option_letter(upper, "I10");
-  Format format = inherited;
-  if (i10 == 'Y') format = Format::i10;
-  if (i10 == 'N' && format == Format::i10) format = Format::standard;
-  if (long_fields == 'Y') format = Format::long_fields;
-  // K: long output, standard input.
-  if ((long_fields == 'S' || long_fields == 'K') && format == Format::long_fields) format = Format::standard;
-  return format;
-}
-
 bool is_data(std::string_view line) { return !line.starts_with('$') && !trimmed(line).empty(); }
 
 /// The number of the first line with data in [begin, end), where `number` lines come before it; none without one.
@@ -95,20 +73,10 @@ std::optional<std::uint32_t> first_data_line(std::string_view bytes, std::size_t
 
 /// The block of a keyword line, still without its data. *KEYWORD changes the format of the rest of its file.
 Block block_of(FileContext& context, std::string_view line) {
-  const auto name_end = std::min({line.find_first_of(" \t"), foreign_break(line), line.size()});
+  KeywordLine read = read_keyword_line(line, context.format);
   Block block;
-  block.name = upper_case(line.substr(1, std::max<std::size_t>(name_end, 1) - 1));
-  if (block.name == "KEYWORD") context.format = format_of(line.substr(name_end), context.format);
-  block.format = context.format;
-  const std::string_view rest = trimmed(line.substr(name_end));
-  char suffix = block.name.empty() ? '\0' : block.name.back();
-  // It may also be all that follows behind blanks.
-  const bool apart = suffix != '+' && suffix != '-' && suffix != '%' && rest.size() == 1;
-  if (apart) suffix = rest.front();
-  if (suffix == '+') block.format = Format::long_fields;
-  if (suffix == '-') block.format = Format::standard;
-  if (suffix == '%') block.format = Format::i10;
-  if (!apart && (suffix == '+' || suffix == '-' || suffix == '%')) block.name.pop_back();
+  block.name = std::move(read.name);
+  block.format = read.format;
   block.file = context.file;
   block.transform = is_node_or_element(block.name) ? context.transforms.mesh : context.transforms.others;
   block.scope = context.scope;

@@ -3,7 +3,7 @@
 #include "base/number.hpp"
 #include "keyword/cases.hpp"
 #include "keyword/deck_reader.hpp"
-#include "keyword/line_ends.hpp"
+#include "keyword/text/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
-#include "keyword/line_ends.hpp"
+#include "keyword/text/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {

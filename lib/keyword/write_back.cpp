@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "base/number.hpp"
-#include "keyword/line_ends.hpp"
+#include "keyword/text/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "keyword/line_ends.hpp"
+#include "keyword/text/line_ends.hpp"
 #include "model/read/cards.hpp"
 #include "model/read/context.hpp"
 

@@ -1,4 +1,4 @@
-#include "keyword/line_ends.hpp"
+#include "keyword/text/line_ends.hpp"
 
 #include <algorithm>
 #include <array>
