@@ -108,7 +108,54 @@ std::chrono::sys_days today() {
   return std::chrono::year(local.tm_year + 1900) / (local.tm_mon + 1) / local.tm_mday;
 }
 
+/// Fills in what the settings file says. False: there are faults, which have been printed.
+bool use_settings_of(const std::string& deck, AuditArguments& arguments, CLI::App& command) {
+  Failures failures(print);
+  arguments.settings = use_settings(arguments.settings_file, deck, true, command, failures);
+  if (failures.any()) return false;
+  arguments.audit.severities = arguments.settings.severities;
+  arguments.audit.thresholds = arguments.settings.thresholds;
+  arguments.audit.today = today();
+  if (!arguments.units.empty()) arguments.audit.millimetre = millimetres().at(arguments.units);
+  auto as_if = assumptions(arguments.as_if, arguments.audit.millimetre);
+  if (as_if)
+    arguments.audit.as_if = std::move(as_if).value();
+  else
+    failures.add(as_if.error());
+  return !failures.any();
+}
+
+void add_options(CLI::App& command, AuditArguments& arguments) {
+  add_deck_selection(command, arguments);
+  add_output(command, arguments.output);
+  add_deck_output(command, arguments);
+  add_baseline(command, arguments.baseline);
+  add_exports(command, arguments.exports);
+  add_settings(command, arguments.settings_file);
+  add_work(command, arguments);
+}
+
 }  // namespace
+
+audit::AuditOptions audit_options_of(const std::string& deck, const AuditArguments& given) {
+  CLI::App command;
+  AuditArguments arguments;
+  add_options(command, arguments);
+  arguments.settings_file = given.settings_file;
+  if (!use_settings_of(deck, arguments, command)) {
+    arguments = AuditArguments();
+    arguments.audit.today = today();
+  }
+  arguments.audit.ignores = ignores_for(deck, arguments.settings);
+  keyword::ReadOptions& read = arguments.audit.read;
+  const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  add(read.include_directories, given.audit.read.include_directories);
+  add(read.parameters, given.audit.read.parameters);
+  read.skip_missing_includes = arguments.missing_includes == "skip" || given.missing_includes == "skip";
+  return arguments.audit;
+}
 
 void add_audit(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("audit", "Check the contacts of a keyword deck and its includes");
@@ -117,13 +164,7 @@ void add_audit(CLI::App& app, Action& action) {
   command->add_option("DECK", arguments->decks, "Keyword files; patterns in quotes find them: 'models/**/*.k'")
       ->required()
       ->type_name("");
-  add_deck_selection(*command, *arguments);
-  add_output(*command, arguments->output);
-  add_deck_output(*command, *arguments);
-  add_baseline(*command, arguments->baseline);
-  add_exports(*command, arguments->exports);
-  add_settings(*command, arguments->settings_file);
-  add_work(*command, *arguments);
+  add_options(*command, *arguments);
   const auto shard = std::make_shared<std::string>();
   add_campaign(*command, *arguments, *shard);
   command->callback([&action, arguments, shard, command] {
@@ -131,19 +172,7 @@ void add_audit(CLI::App& app, Action& action) {
       if (!shard->empty()) arguments->shard = read_shard(*shard).value_or(Shard());
       arguments->selection = selects(arguments->audit);
       arguments->baseline.by_settings = arguments->baseline.compare.empty();
-      Failures failures(print);
-      arguments->settings = use_settings(arguments->settings_file, arguments->decks.front(), true, *command, failures);
-      if (failures.any()) return static_cast<int>(failed);
-      arguments->audit.severities = arguments->settings.severities;
-      arguments->audit.thresholds = arguments->settings.thresholds;
-      arguments->audit.today = today();
-      if (!arguments->units.empty()) arguments->audit.millimetre = millimetres().at(arguments->units);
-      auto as_if = assumptions(arguments->as_if, arguments->audit.millimetre);
-      if (!as_if) {
-        failures.add(as_if.error());
-        return static_cast<int>(failed);
-      }
-      arguments->audit.as_if = std::move(as_if).value();
+      if (!use_settings_of(arguments->decks.front(), *arguments, *command)) return static_cast<int>(failed);
       arguments->audit.scene = !arguments->output.html.empty();
       arguments->audit.mesh = !arguments->exports.vtu.empty();
       arguments->audit.members = !arguments->exports.sets.empty();

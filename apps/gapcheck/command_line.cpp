@@ -56,6 +56,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_run(app, action);
   add_start(app, action);
   add_fix(app, action);
+  add_lsp(app, action);
   add_rules(app, action);
   add_explain(app, action);
   app.footer(

@@ -22,6 +22,7 @@ void add_compare(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
 void add_start(CLI::App& app, Action& action);
 void add_fix(CLI::App& app, Action& action);
+void add_lsp(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 

@@ -1,0 +1,158 @@
+#include "lsp/audit_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+#include "audit/fix/fix.hpp"
+#include "lsp/uri.hpp"
+#include "report/item/item.hpp"
+
+namespace gapcheck::app::lsp {
+namespace {
+
+class Collector {
+ public:
+  explicit Collector(std::string deck) : deck_(std::move(deck)) {}
+  void add(const std::string& file, std::uint32_t line, LineFinding finding) {
+    const std::string& path = file.empty() ? deck_ : canonical_[file];
+    std::vector<LineFinding>& list = result_.findings[path.empty() ? canonical_[file] = canonical(file) : path];
+    finding.line = line > 0 ? line - 1 : 0;
+    if (list.size() < most_of_a_file) list.push_back(std::move(finding));
+  }
+  void add(const Diagnostic& said) { add(said.file, said.line, {0, said.severity, {}, said.message}); }
+  void add(const Report& report) {
+    for (const report::ItemGroup& group : report::item_groups(report, most_of_a_rule)) add(report, group);
+  }
+  [[nodiscard]] Audited finish(std::string summary) && {
+    result_.summary = std::move(summary);
+    for (auto& [path, list] : result_.findings)
+      std::stable_sort(list.begin(), list.end(),
+                       [](const LineFinding& a, const LineFinding& b) { return a.line < b.line; });
+    return std::move(result_);
+  }
+
+ private:
+  void add(const Report& report, const report::ItemGroup& group) {
+    for (const report::Item& item : group.shown)
+      add(std::string(item.file), item.line,
+          {0, item.severity, std::string(item.id), item.message, item.contact, item.node, item.part, item.element,
+           item.penetration >= 0});
+    if (group.items <= group.shown.size()) return;
+    const bool of_contact = group.contact_position != no_position;
+    const ContactSummary none, &contact = of_contact ? report.contacts[group.contact_position] : none;
+    add(contact.file, contact.line,
+        {0, group.severity, std::string(group.id),
+         fmt::format("{}: {} more in contact {}", group.rule, group.items - group.shown.size(), contact.id), contact.id,
+         0, 0, 0, false});
+  }
+  std::string deck_;
+  std::map<std::string, std::string> canonical_;
+  Audited result_;
+};
+
+std::string summary_of(const Report& report, double seconds) {
+  std::size_t errors = 0, warnings = 0, notes = 0;
+  report::for_each_item(report, [&](const report::Item& item) {
+    ++(item.severity == Severity::error ? errors : item.severity == Severity::warning ? warnings : notes);
+    return true;
+  });
+  return fmt::format("{}: {} errors, {} warnings, {} notes, {:.2f} s", report.input, errors, warnings, notes, seconds);
+}
+
+}  // namespace
+
+bool is_structure(const Keyword& keyword) {
+  const std::string_view name = keyword.name;
+  return name.starts_with("PARAMETER") || name.starts_with("INCLUDE") || name == "KEYWORD" || name == "END" ||
+         name.starts_with("DEFINE_TRANSFORM");
+}
+
+std::string skeleton(const Text& text, std::span<const Keyword> outline) {
+  std::string bones;
+  std::uint32_t line = 0;
+  for (const Keyword& keyword : outline) {
+    bones.append(keyword.line - line, '\n');
+    line = keyword.line;
+    const std::uint32_t end = is_structure(keyword) ? keyword.end : keyword.line + 1;
+    text.for_each_line(keyword.line, end, [&](std::uint32_t, std::string_view each) {
+      bones += each;
+      bones += '\n';
+      ++line;
+      return true;
+    });
+  }
+  return bones;
+}
+
+std::shared_ptr<const keyword::Deck> deck_for_editor(const std::string& deck, keyword::ReadOptions read,
+                                                     const std::map<std::string, std::string>& changed) {
+  std::map<std::string, std::string> texts = changed;
+  read.replaced = &texts;
+  read.skip_missing_includes = true;
+  for (bool again = true;;) {
+    Diagnostics ignored;  // the audit says the same
+    auto result = keyword::read_deck(deck, read, ignored);
+    if (!result) return nullptr;
+    // Files may have been opened by another path than that of the editor.
+    const std::size_t known = texts.size();
+    for (const keyword::SourceFile& file : result.value().files())
+      if (const auto same = changed.find(canonical(file.path)); same != changed.end())
+        texts.emplace(file.path, same->second);
+    again = again && texts.size() > known;
+    if (again) continue;
+    auto kept = std::make_shared<keyword::Deck>(std::move(result).value());
+    kept->drop_text([](std::string_view name) { return !name.starts_with("INCLUDE"); });
+    return kept;
+  }
+}
+
+std::optional<Audited> audit_for_editor(const std::string& deck, audit::AuditOptions options,
+                                        const std::function<bool()>& go_on) {
+  const auto start = std::chrono::steady_clock::now();
+  Collector collector(canonical(deck));
+  Diagnostics diagnostics;
+  options.watch = [&go_on](const audit::AuditStep&) { return go_on(); };
+  std::string summary;
+  try {
+    const auto report = audit::audit_deck(deck, options, diagnostics);
+    if (!go_on()) return std::nullopt;
+    if (report) {
+      collector.add(report.value());
+      summary =
+          summary_of(report.value(), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    } else {
+      collector.add(report.error());
+      summary = fmt::format("{}: {}", deck, report.error().message);
+    }
+  } catch (const std::exception& error) {  // too little memory
+    collector.add(Diagnostic{Severity::error, deck, 0, fmt::format("the deck was not audited: {}", error.what())});
+    summary = fmt::format("{}: {}", deck, error.what());
+  }
+  for (const Diagnostic& said : diagnostics.sorted()) collector.add(said);
+  return std::move(collector).finish(std::move(summary));
+}
+
+Result<FixedLines> fix_for_editor(const std::string& deck, const keyword::ReadOptions& read) {
+  Diagnostics diagnostics;
+  const auto input = keyword::read_deck(deck, read, diagnostics);
+  if (!input) return input.error();
+  for (const Diagnostic& said : diagnostics.sorted())
+    if (said.severity == Severity::error) return said;
+  audit::FixOptions options;
+  options.proposals = false;
+  const auto fix = audit::fix_penetrations(input.value(), options, diagnostics);
+  if (!fix) return fix.error();
+  FixedLines lines;
+  std::size_t count = 0;
+  for (const audit::ChangedLines& file : fix.value().files) {
+    lines.edits[canonical(input.value().file(file.file).path)] = file.edits;
+    count += file.edits.size();
+  }
+  lines.summary = fmt::format("{}: {} lines of nodes change", deck, count);
+  return lines;
+}
+
+}  // namespace gapcheck::app::lsp

@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audit/audit.hpp"
+#include "base/result.hpp"
+#include "keyword/write_back.hpp"
+#include "lsp/features/features.hpp"
+
+namespace gapcheck::app::lsp {
+
+/// Reads the structure of a deck for scopes. `changed`: by canonical path, what stands in the editor in place of files.
+/// nullptr: it cannot be read.
+[[nodiscard]] std::shared_ptr<const keyword::Deck> deck_for_editor(const std::string& deck, keyword::ReadOptions read,
+                                                                   const std::map<std::string, std::string>& changed);
+
+/// The keywords of a text, line by line, with the cards of those that other files depend on: parameters, includes.
+[[nodiscard]] std::string skeleton(const Text& text, std::span<const Keyword> outline);
+/// Whether a keyword is one of these.
+[[nodiscard]] bool is_structure(const Keyword& keyword);
+
+/// What an audit found.
+struct Audited {
+  std::map<std::string, std::vector<LineFinding>> findings;  ///< by canonical path
+  std::string summary;                                       ///< one line
+};
+
+/// Most findings of one rule in one contact that are listed one by one.
+inline constexpr std::size_t most_of_a_rule = 100;
+/// Most findings of one file.
+inline constexpr std::size_t most_of_a_file = 1000;
+
+/// Audits the deck on disk. An audit that cannot be made is a finding in the first line of `deck`. Nothing: `go_on`
+/// said no.
+[[nodiscard]] std::optional<Audited> audit_for_editor(const std::string& deck, audit::AuditOptions options,
+                                                      const std::function<bool()>& go_on);
+
+/// The lines of a deck that `gapcheck fix` changes: by canonical path, numbers from 1.
+struct FixedLines {
+  std::map<std::string, std::vector<keyword::LineEdit>> edits;
+  std::string summary;
+};
+/// Errors: those of `gapcheck fix`.
+[[nodiscard]] Result<FixedLines> fix_for_editor(const std::string& deck, const keyword::ReadOptions& read);
+
+}  // namespace gapcheck::app::lsp

@@ -1,0 +1,309 @@
+#include "lsp/features/features.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "folder_test.hpp"
+#include "lsp/audit_job.hpp"
+#include "lsp/uri.hpp"
+#include "lsp/workspace.hpp"
+
+namespace gapcheck::app::lsp {
+namespace {
+
+constexpr const char* main_text =
+    "*KEYWORD\n"                                  // 0
+    "*PARAMETER\n"                                // 1
+    "R        t       0.5I      pid         2\n"  // 2
+    "*INCLUDE\n"                                  // 3
+    "parts.k\n"                                   // 4
+    "*SET_PART_LIST_TITLE\n"                      // 5
+    "all plates\n"                                // 6
+    "         7\n"                                // 7
+    "         1      &pid\n"                      // 8
+    "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n"      // 9
+    "         3plates against plates\n"           // 10
+    "         7         0         2\n"            // 11
+    "        &t\n"                                // 12
+    "                              &t+2*&t\n"     // 13
+    "*DEFINE_CURVE\n"                             // 14
+    "        11\n"                                // 15
+    "0.,0.\n"                                     // 16
+    "*END\n";                                     // 17
+constexpr const char* parts_text =
+    "*PART\n"                                                      // 0
+    "lower plate\n"                                                // 1
+    "         1         4         5\n"                             // 2
+    "upper plate\n"                                                // 3
+    "         2         4         5\n"                             // 4
+    "*SECTION_SHELL\n"                                             // 5
+    "         4         2\n"                                       // 6
+    "1.0,1.0,1.0,1.0\n"                                            // 7
+    "*MAT_ELASTIC_TITLE\n"                                         // 8
+    "steel\n"                                                      // 9
+    "         5   7.8E-6     210.0       0.3\n"                    // 10
+    "*ELEMENT_SHELL\n"                                             // 11
+    "       1       1       1       2       3       4\n"           // 12
+    "       2       2       1       2       3       4\n"           // 13
+    "*NODE\n"                                                      // 14
+    "       1             0.0             0.0             0.0\n";  // 15
+
+/// A deck of two files, as a workspace has it.
+class LspFeatures : public FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    write("main.k", main_text);
+    write("parts.k", parts_text);
+    main_ = &workspace_.open(uri("main.k"), 1, main_text);
+    parts_ = &workspace_.open(uri("parts.k"), 1, parts_text);
+    const auto deck = deck_for_editor(path("main.k"), {}, {});
+    ASSERT_NE(deck, nullptr);
+    workspace_.set_deck(path("main.k"), deck);
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return canonical((folder_ / name).string()); }
+  [[nodiscard]] std::string uri(const std::string& name) const { return uri_of(path(name)); }
+  template <class Ask>
+  auto ask(const Document& document, const Ask& ask) {
+    const DeckFiles files = workspace_.files(document);
+    return ask(Question{files, Encoding::utf16});
+  }
+  std::string hovered(const Document& document, Place place) {
+    const json said = ask(document, [&](const Question& q) { return hover(q, place); });
+    return said.is_null() ? "" : said["contents"]["value"].get<std::string>();
+  }
+  std::vector<std::string> completed(const std::string& line) {
+    Document& document = workspace_.open(uri("new.k"), 1, line);
+    const auto at = static_cast<std::uint32_t>(line.size());
+    const json said = ask(document, [&](const Question& q) { return completion(q, {0, at}); });
+    std::vector<std::string> labels;
+    if (!said.is_null())
+      for (const json& item : said["items"]) labels.push_back(item["label"]);
+    return labels;
+  }
+  /// "main.k:8:19-23" of a location.
+  [[nodiscard]] std::string place(const json& location) const {
+    if (location.is_null()) return "";
+    const json& range = location["range"];
+    return std::filesystem::path(path_of(location["uri"].get<std::string>())).filename().string() + ":" +
+           range["start"]["line"].dump() + ":" + range["start"]["character"].dump() + "-" +
+           range["end"]["character"].dump();
+  }
+  std::string defined(const Document& document, Place at) {
+    return place(ask(document, [&](const Question& q) { return definition(q, at); }));
+  }
+  std::vector<std::string> referenced(const Document& document, Place at) {
+    std::vector<std::string> places;
+    for (const json& each : ask(document, [&](const Question& q) { return references(q, at, true); }))
+      places.push_back(place(each));
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+  Workspace workspace_;
+  Document *main_ = nullptr, *parts_ = nullptr;
+};
+
+using Strings = std::vector<std::string>;
+
+TEST_F(LspFeatures, HoverOfFields) {
+  EXPECT_EQ(hovered(*main_, {12, 9}),
+            "**FS**, card 2 of *CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n\ncolumns 1–10, number\n\n`&t` = 0.5\n");
+  EXPECT_EQ(hovered(*main_, {13, 33}),
+            "**SBST**, card 3 of *CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n\ncolumns 31–40, number\n\n`&t+2*&t` = 1.5\n");
+  EXPECT_EQ(
+      hovered(*main_, {13, 1}),
+      "**SFSA**, card 3 of *CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n\ncolumns 1–10, number\n\nblank: the default 1\n");
+  EXPECT_EQ(hovered(*main_, {11, 9}),
+            "**SURFA**, card 1 of *CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n\ncolumns 1–10, whole number\n\n`7`\n\n"
+            "set of parts 7 `all plates`, main.k line 8\n");
+  EXPECT_EQ(hovered(*main_, {11, 29}),
+            "**SURFATYP**, card 1 of *CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n\ncolumns 21–30, whole number\n\n`2`\n\n"
+            "a set of parts\n");
+  EXPECT_EQ(hovered(*main_, {8, 18}),
+            "**PARTS**, card 2 of *SET_PART_LIST_TITLE\n\ncolumns 11–20, id of a part\n\n`&pid` = 2\n\n"
+            "part 2 `upper plate`, parts.k line 5\n");
+  EXPECT_EQ(hovered(*parts_, {7, 5}), "**T2**, card 2 of *SECTION_SHELL\n\nvalue 2 of the line, number\n\n`1.0`\n");
+  EXPECT_EQ(hovered(*parts_, {4, 29}),
+            "**MID**, card 1.2 of *PART\n\ncolumns 21–30, id of a material or an equation of state\n\n`5`\n\n"
+            "material 5 `steel`, parts.k line 11\n");
+  EXPECT_EQ(hovered(*main_, {99, 0}), "");
+}
+
+/// Hover knows the fields of every keyword that has card layouts: those of all cards that its name asks for.
+TEST_F(LspFeatures, HoverOfEveryFieldOfEveryLayout) {
+  std::size_t keywords = 0, fields = 0;
+  for (const std::string_view name : keyword::layout_names("")) {
+    // *CONTACT holds all cards of all contacts and is no keyword; *END and another one have none.
+    if (name == "CONTACT" || keyword::find_layout(name)->cards.empty()) continue;
+    ++keywords;
+    std::string text = "*" + std::string(name) + "\n";
+    for (int i = 0; i < 20; ++i) text += std::string(260, ' ') + "\n";
+    Document& document = workspace_.open(uri("new.k"), 1, text);
+    const CardOrder order = card_order(*document.text, document.outline->front());
+    EXPECT_FALSE(order.head.empty() && order.cycle.empty()) << name;
+    for (std::uint32_t row = 0; row < order.head.size() + order.cycle.size(); ++row) {
+      const keyword::CardLayout* card = order.at(row);
+      for (std::size_t i = 0; card != nullptr && i < card->fields.size(); ++i) {
+        if (card->fields[i].name == "unused") continue;
+        ++fields;
+        std::string field = card->fields[i].name;
+        for (char& c : field) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        const std::string said = hovered(document, {row + 1, card->fields[i].column});
+        EXPECT_TRUE(said.starts_with("**" + field + "**, ")) << name << " line " << row + 1 << ": " << said;
+      }
+    }
+  }
+  EXPECT_GT(keywords, 850U);
+  EXPECT_GT(fields, 15'000U);
+  RecordProperty("keywords", static_cast<int>(keywords));
+  RecordProperty("fields", static_cast<int>(fields));
+}
+
+TEST_F(LspFeatures, HoverOfKeywords) {
+  const std::string contact = hovered(*main_, {9, 4});
+  EXPECT_TRUE(
+      contact.starts_with("***CONTACT_AUTOMATIC_SINGLE_SURFACE_ID**\n\ncontact type 13, one surface against "
+                          "itself\n\n- card of ID: CID HEADING\n- card 1: SURFA SURFB"))
+      << contact;
+  EXPECT_NE(hovered(*parts_, {0, 1}).find("- card 1.2, repeated: PID SECID MID"), std::string::npos);
+}
+
+TEST_F(LspFeatures, Completion) {
+  const Strings names = completed("*set_part_l");
+  EXPECT_EQ(names.front(), "*SET_PART_LIST");
+  EXPECT_EQ(completed("*SECTION_SHELL_").front(), "*SECTION_SHELL_TITLE");
+  EXPECT_EQ(completed("*SECTION_SHELL_EF"), Strings({"*SECTION_SHELL_EFG"}));
+  const Strings options = completed("*CONTACT_AUTOMATIC_GENERAL_");
+  for (const char* option : {"ID", "TITLE", "MPP"})
+    EXPECT_EQ(std::count(options.begin(), options.end(), std::string("*CONTACT_AUTOMATIC_GENERAL_") + option), 1)
+        << option;
+  EXPECT_EQ(completed("*CONTACT_AUTOMATIC_GENERAL_MP"), Strings({"*CONTACT_AUTOMATIC_GENERAL_MPP"}));
+  EXPECT_TRUE(completed("SET").empty());
+  EXPECT_TRUE(completed("$*SET").empty());
+}
+
+TEST_F(LspFeatures, DefinitionsAndReferences) {
+  EXPECT_EQ(defined(*main_, {4, 2}), "parts.k:0:0-0");
+  EXPECT_EQ(defined(*main_, {8, 9}), "parts.k:2:9-10");
+  EXPECT_EQ(defined(*main_, {11, 10}), "main.k:7:9-10");
+  EXPECT_EQ(defined(*main_, {12, 9}), "main.k:2:9-10");
+  EXPECT_EQ(defined(*parts_, {2, 20}), "parts.k:6:9-10");
+  EXPECT_EQ(defined(*parts_, {2, 30}), "parts.k:10:9-10");
+  EXPECT_EQ(defined(*parts_, {12, 24}), "parts.k:15:7-8");  // a node
+  EXPECT_EQ(defined(*parts_, {12, 16}), "parts.k:2:9-10");  // the part of an element
+  EXPECT_EQ(referenced(*parts_, {2, 10}), Strings({"main.k:8:9-10", "parts.k:2:9-10"}));
+  EXPECT_EQ(referenced(*parts_, {6, 10}), Strings({"parts.k:2:19-20", "parts.k:4:19-20", "parts.k:6:9-10"}));
+  EXPECT_EQ(referenced(*main_, {2, 9}),
+            Strings({"main.k:12:9-10", "main.k:13:31-32", "main.k:13:36-37", "main.k:2:9-10"}));
+  EXPECT_EQ(referenced(*parts_, {15, 7}), Strings({"parts.k:12:23-24", "parts.k:13:23-24", "parts.k:15:7-8"}));
+}
+
+TEST_F(LspFeatures, Rename) {
+  const auto renamed = [&](const Document& document, Place at, const std::string& name) {
+    const auto result = ask(document, [&](const Question& q) { return rename(q, at, name); });
+    if (!result) return result.error().message;
+    std::string all;
+    for (const auto& [file, edits] : result.value()["changes"].items())
+      for (const json& edit : edits)
+        all += place({{"uri", file}, {"range", edit["range"]}}) + " '" + edit["newText"].get<std::string>() + "'\n";
+    return all;
+  };
+  // The lines of elements too, each in its columns.
+  EXPECT_EQ(renamed(*main_, {8, 9}, "1001"), "main.k:8:6-10 '1001'\nparts.k:2:6-10 '1001'\nparts.k:12:12-16 '1001'\n");
+  EXPECT_EQ(renamed(*parts_, {10, 9}, "77"), "parts.k:2:28-30 '77'\nparts.k:4:28-30 '77'\nparts.k:10:8-10 '77'\n");
+  EXPECT_EQ(renamed(*main_, {12, 9}, "tt"), "main.k:2:8-10 'tt'\nmain.k:12:7-10 '&tt'\nmain.k:13:30-37 '&tt+2*&tt'\n");
+  EXPECT_EQ(renamed(*main_, {12, 9}, "thick"),
+            "line 14 of " + path("main.k") + " has 10 columns for it, too few for &thick+2*&t");
+  EXPECT_EQ(renamed(*main_, {8, 9}, "2"), "part 2 is there already, in line 5 of " + path("parts.k"));
+  EXPECT_EQ(renamed(*main_, {8, 9}, "x"), "an id is a whole number above 0");
+  EXPECT_EQ(renamed(*main_, {8, 9}, "0"), "an id is a whole number above 0");
+  EXPECT_EQ(renamed(*main_, {8, 9}, "123456789"),
+            "line 13 of " + path("parts.k") + " has 8 columns for it, too few for 123456789");
+  EXPECT_EQ(renamed(*parts_, {4, 9}, "9"),
+            "line 9 of " + path("main.k") + " gives it by a parameter; change the value of the parameter");
+  EXPECT_EQ(renamed(*main_, {0, 2}, "9"), "there is no id or parameter here that can get another name");
+}
+
+TEST_F(LspFeatures, Outline) {
+  const json symbols = ask(*parts_, [](const Question& q) { return document_symbols(q); });
+  ASSERT_EQ(symbols.size(), 5U);
+  EXPECT_EQ(symbols[0]["name"], "*PART");
+  ASSERT_EQ(symbols[0]["children"].size(), 2U);
+  EXPECT_EQ(symbols[0]["children"][1]["name"], "part 2");
+  EXPECT_EQ(symbols[0]["children"][1]["detail"], "upper plate");
+  EXPECT_EQ(symbols[2]["detail"], "material 5 steel");
+  EXPECT_EQ(symbols[0]["range"]["end"]["line"], 4);
+  const json folds = ask(*parts_, [](const Question& q) { return folding_ranges(q); });
+  ASSERT_EQ(folds.size(), 5U);
+  EXPECT_EQ(folds[3]["startLine"], 11);
+  EXPECT_EQ(folds[3]["endLine"], 13);
+}
+
+TEST_F(LspFeatures, FormattingOfCards) {
+  Document& document = workspace_.open(uri("new.k"), 1,
+                                       "*SECTION_SHELL\n4,2\n 1.0 ,1.0,,1.0\n$ 1,2\n*PART\na, b\n1     2      3\n"
+                                       "*NODE\n1,0.5,-1e-3,12345678901234567\n2,1,1,1\n");
+  const json edits = ask(document, [](const Question& q) { return format_lines(q, 0, 100); });
+  Strings lines;
+  for (const json& edit : edits)
+    lines.push_back(edit["range"]["start"]["line"].dump() + ":" + edit["newText"].get<std::string>());
+  EXPECT_EQ(lines, Strings({"1:         4         2",                      // free format
+                            "2:       1.0       1.0                 1.0",  // a blank field
+                            "9:       2               1               1               1"}));
+  // In a line with a number too long for its columns, and one with a field across columns, nothing changes.
+  EXPECT_TRUE(ask(document, [](const Question& q) { return format_lines(q, 3, 9); }).empty());
+}
+
+TEST_F(LspFeatures, CodeActions) {
+  Document& document =
+      workspace_.open(uri("new.k"), 1, "*SETT_PART_LIST\n1\n*CONTACT_AUTOMATIC_SINGLE_SURFACE\n         0\n*END\n");
+  const std::vector<LineFinding> findings{{2, Severity::warning, "GC101", "deep", 4, 12, 1, 0, true}};
+  const auto actions = [&](std::uint32_t line) {
+    return ask(document, [&](const Question& q) { return code_actions(q, findings, line, line + 1); });
+  };
+  const json name = actions(0);
+  ASSERT_EQ(name.size(), 1U);
+  EXPECT_EQ(name[0]["title"], "Change to *SET_PART_LIST");
+  EXPECT_EQ(name[0]["edit"]["changes"][document.uri][0]["newText"], "SET_PART_LIST");
+  const json contact = actions(2);
+  ASSERT_EQ(contact.size(), 3U);
+  const std::string cards = contact[0]["edit"]["changes"][document.uri][0]["newText"];
+  EXPECT_TRUE(
+      cards.starts_with("$#      fs        fd        dc        vc       vdc    penchk        bt        dt\n\n$#"))
+      << cards;
+  EXPECT_EQ(std::count(cards.begin(), cards.end(), '\n'), 4);
+  EXPECT_EQ(contact[0]["edit"]["changes"][document.uri][0]["range"]["start"]["line"], 4);
+  EXPECT_EQ(contact[1]["edit"]["changes"][document.uri][0]["newText"],
+            "$ gapcheck: ignore GC101 contact=4 part=1 node=12 because \n");
+  EXPECT_EQ(contact[2]["command"]["command"], "gapcheck.fix");
+}
+
+TEST_F(LspFeatures, ParametersOfAnEditorThatHasNotSaved) {
+  const std::string text = std::string(main_text).replace(std::string(main_text).find("0.5"), 3, "0.7");
+  Workspace::set_text(*main_, Text(text));
+  main_->changed = true;
+  workspace_.set_deck(path("main.k"), deck_for_editor(path("main.k"), {}, workspace_.changed_texts()));
+  EXPECT_NE(hovered(*main_, {12, 9}).find("`&t` = 0.7"), std::string::npos);
+}
+
+TEST_F(LspFeatures, FindingsMoveWithTheirLines) {
+  Audited audited;
+  for (const std::uint32_t line : {1U, 5U, 9U})
+    audited.findings[path("main.k")].push_back({line, Severity::note, "GC1", "a finding " + std::to_string(line)});
+  EXPECT_EQ(workspace_.set_findings(path("main.k"), audited), std::set<std::string>{path("main.k")});
+  workspace_.move_findings(*main_, 3, 3, 2);  // two lines more
+  workspace_.move_findings(*main_, 0, 2, 0);  // two lines less
+  std::vector<std::uint32_t> lines;
+  for (const LineFinding& finding : workspace_.findings(path("main.k"))) lines.push_back(finding.line);
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{0, 5, 9}));
+}
+
+}  // namespace
+}  // namespace gapcheck::app::lsp
