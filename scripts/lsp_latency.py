@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Measures how long gapcheck lsp takes with a large include: from opening it, and from each key, to the diagnostics.
 
-    scripts/lsp_latency.py build/release/apps/gapcheck/gapcheck [--megabytes 100] [--keys 50] [--most-open S]
-                           [--most-key MS]
+    scripts/lsp_latency.py build/release/apps/gapcheck/gapcheck [--megabytes 100] [--keys 50] [--rounds 5]
+                           [--most-open S] [--most-key MS]
 
 A deck with an include of shells is written to a temporary folder. The times are those of the client: the message that is
 written until the diagnostics of the file have been read. With limits the exit code is 1 if a time is above them.
@@ -66,6 +66,7 @@ def main():
     parser.add_argument("gapcheck")
     parser.add_argument("--megabytes", type=float, default=100)
     parser.add_argument("--keys", type=int, default=50)
+    parser.add_argument("--rounds", type=int, default=5, help="how often the file is opened")
     parser.add_argument("--most-open", type=float, help="seconds")
     parser.add_argument("--most-key", type=float, help="milliseconds")
     options = parser.parse_args()
@@ -78,19 +79,24 @@ def main():
         client = Client(os.path.abspath(options.gapcheck), folder)
         client.start()
         uri = uri_of(os.path.join(folder, "mesh.k"))
-        opening = frame({"jsonrpc": "2.0", "method": "textDocument/didOpen", "params": {"textDocument": {
-            "uri": uri, "languageId": "lsdyna", "version": 1, "text": text}}})
-        sent = time.perf_counter()
-        client.send_bytes(opening)
-        opened, found = published(client, uri, 1, sent)
-        assert found == [], found[:3]
-        if options.most_open is None and options.most_key is None:
+        opened = []
+        for version in range(1, options.rounds + 1):
+            opening = frame({"jsonrpc": "2.0", "method": "textDocument/didOpen", "params": {"textDocument": {
+                "uri": uri, "languageId": "lsdyna", "version": version, "text": text}}})
+            sent = time.perf_counter()
+            client.send_bytes(opening)
+            seconds, found = published(client, uri, version, sent)
+            assert not [each for each in found if each["severity"] == 1], found[:3]
+            opened.append(seconds)
+            # The next one is not to wait for the audit of this one.
             said = client.audited(600)
-            print(said.replace(folder + "/", ""))
+            if version < options.rounds:
+                client.notify("textDocument/didClose", {"textDocument": {"uri": uri}})
+        opened.sort()
         lines = text.count("\n")
         # A letter into a number and out again: an error, and none. Near the start, in the middle, near the end; the
         # last third makes and joins lines, which moves all that follow.
-        keys, version = [], 1
+        keys, version = [], options.rounds
         for k in range(options.keys):
             line = 2 + (lines - 8) * (k // 2 % 10) // 9
             new_line = k >= options.keys * 2 // 3
@@ -108,7 +114,9 @@ def main():
                 wrong = [each for each in found if "is not a" in each["message"]]
                 assert bool(wrong) == (text_in == "x"), (text_in, line, found[:3])
         keys.sort()
-        print(f"opening {len(text) / 1e6:.0f} MB, {lines} lines: {opened:.2f} s")
+        print(said.replace(folder + "/", ""))
+        print(f"opening {len(text) / 1e6:.0f} MB, {lines} lines: median {opened[len(opened) // 2]:.2f} s, largest "
+              f"{opened[-1]:.2f} s of {len(opened)}")
         print(f"per key, {len(keys)} keys: median {keys[len(keys) // 2]:.1f} ms, largest {keys[-1]:.1f} ms")
         position = {"textDocument": {"uri": uri}, "position": {"line": lines // 2, "character": 3}}
         for method in ("hover", "definition", "documentSymbol", "foldingRange"):
@@ -116,7 +124,7 @@ def main():
             client.request("textDocument/" + method, position)
             print(f"{method}: {1000 * (time.perf_counter() - sent):.1f} ms")
         assert client.stop() == 0
-        slow = (options.most_open is not None and opened > options.most_open) or (
+        slow = (options.most_open is not None and opened[-1] > options.most_open) or (
             options.most_key is not None and keys[-1] > options.most_key)
         return 1 if slow else 0
 

@@ -65,10 +65,11 @@ FrameReader::Line FrameReader::read_line(std::string& line) {
 
 /// `body`: where it goes; nullptr: it is passed over.
 bool FrameReader::read_body(std::size_t length, std::string* body) {
-  // The room grows with what comes, whatever length was promised.
-  constexpr std::size_t first_room = std::size_t{1} << 20;
+  // Room for all of it is only promised by the system until it is written to.
+  constexpr std::size_t part_size = std::size_t{1} << 20;
   std::string passed;
   std::string& to = body != nullptr ? *body : passed;
+  if (body != nullptr) to.reserve(length);
   while (length > 0) {
     if (used_ < buffer_.size()) {
       const std::size_t part = std::min(length, buffer_.size() - used_);
@@ -78,7 +79,7 @@ bool FrameReader::read_body(std::size_t length, std::string* body) {
       continue;
     }
     if (body == nullptr) to.clear();
-    const std::size_t before = to.size(), part = std::min(length, std::max(before, first_room));
+    const std::size_t before = to.size(), part = std::min(length, part_size);
     to.resize(before + part);
     std::size_t got = 0;
     while (got < part) {
