@@ -73,12 +73,12 @@ IndexRow row_of(const Unread& unread) {
                          xml_text(unread.deck), xml_text(unread.reason))};
 }
 
-/// The table of rules; nothing if none has found anything.
+/// The rules under a heading; nothing if none has found anything.
 std::string rules_table(const Reports& reports) {
   const auto rules = rule_counts(reports.all);
   if (rules.empty()) return "";
   const bool with_baseline = baseline_counts(reports).has_value();
-  std::string table = "<table>\n<tr><th>rule</th><th>severity</th>";
+  std::string table = "<h1>Rules</h1>\n<table>\n<tr><th>rule</th><th>severity</th>";
   const auto title = [&](std::string_view text) { table += fmt::format("<th class=\"number\">{}</th>", text); };
   const auto cell = [&](std::size_t number) { table += fmt::format("<td class=\"number\">{}</td>", number); };
   for (const char* text : {"decks", "findings"}) title(text);
@@ -115,7 +115,7 @@ std::string html_index(const Reports& reports, const std::string& path, std::str
       "<table>\n<tr><th>deck</th><th>verdict</th><th class=\"number\">errors</th><th class=\"number\">warnings</th>"
       "<th class=\"number\">notes</th><th>worst finding</th></tr>\n";
   for (const IndexRow& row : rows) page += row.text;
-  page += "</table>\n<h1>Rules</h1>\n" + rules_table(reports);
+  page += "</table>\n" + rules_table(reports);
   return page + fmt::format("<p>gapcheck {}</p>\n</body>\n</html>\n", xml_text(version));
 }
 

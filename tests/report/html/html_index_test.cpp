@@ -35,6 +35,23 @@ TEST(HtmlIndex, ALineForEachDeckGravestFirst) {
   EXPECT_EQ(page, html_index({decks, unread}, "pages/index.html", "1.2.3"));
 }
 
+TEST(HtmlIndex, ALineForEachRule) {
+  std::vector<Report> decks(3);
+  for (std::size_t i = 0; i < 2; ++i) decks[i].findings = {make_finding("GC501", "duplicate-id", "a")};
+  const std::string row =
+      "<tr><td>GC501 duplicate-id</td><td class=\"error\">error</td><td class=\"number\">2</td>"
+      "<td class=\"number\">2</td>";
+  EXPECT_TRUE(has(html_index({decks, {}}, "index.html", ""), row + "</tr>\n</table>"));
+  decks[0].baseline.emplace().states = {BaselineState::unchanged};
+  decks[1].baseline.emplace().states = {BaselineState::fresh};
+  const std::string page = html_index({decks, {}}, "index.html", "");
+  EXPECT_TRUE(has(page, "<th class=\"number\">new</th>")) << page;
+  EXPECT_TRUE(has(page, row + "<td class=\"number\">1</td><td class=\"number\">0</td><td class=\"number\">1</td>"
+                              "<td class=\"number\">0</td></tr>"))
+      << page;
+  EXPECT_FALSE(has(html_index(Report{}, "index.html", ""), "Rules")) << "nothing was found";
+}
+
 TEST(HtmlIndex, LinksLeadFromTheIndex) {
   Report report = sample_report();
   const auto link = [&](const std::string& index, const std::string& page) {
