@@ -53,12 +53,16 @@ class Collector {
   Audited result_;
 };
 
-std::string summary_of(const Report& report, double seconds) {
+std::string summary_of(const Report& report, const Diagnostics& diagnostics, double seconds) {
   std::size_t errors = 0, warnings = 0, notes = 0;
+  const auto count = [&](Severity severity) {
+    ++(severity == Severity::error ? errors : severity == Severity::warning ? warnings : notes);
+  };
   report::for_each_item(report, [&](const report::Item& item) {
-    ++(item.severity == Severity::error ? errors : item.severity == Severity::warning ? warnings : notes);
+    count(item.severity);
     return true;
   });
+  for (const Diagnostic& said : diagnostics.sorted()) count(said.severity);
   return fmt::format("{}: {} errors, {} warnings, {} notes, {:.2f} s", report.input, errors, warnings, notes, seconds);
 }
 
@@ -121,8 +125,8 @@ std::optional<Audited> audit_for_editor(const std::string& deck, audit::AuditOpt
     if (!go_on()) return std::nullopt;
     if (report) {
       collector.add(report.value());
-      summary =
-          summary_of(report.value(), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      summary = summary_of(report.value(), diagnostics,
+                           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     } else {
       collector.add(report.error());
       summary = fmt::format("{}: {}", deck, report.error().message);

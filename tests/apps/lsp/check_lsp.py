@@ -223,6 +223,35 @@ def check_deleted(folder):
     assert client.stop() == 0
 
 
+def check_newer_audits(folder):
+    """Of many saves one after the other only some are audited, the last one among them."""
+    sys.path.insert(0, os.path.join(PROJECT, "scripts"))
+    import lsp_latency
+    with open(os.path.join(folder, "mesh.k"), "w") as file:
+        file.write(lsp_latency.mesh(2))
+    with open(os.path.join(folder, "main.k"), "w") as file:
+        file.write(lsp_latency.MAIN)
+    client = Client(GAPCHECK, folder)
+    client.start()
+    client.open("main.k")
+    client.audited()
+    client.said.clear()
+    saves = 20
+    for save in range(saves):
+        if save == saves - 1:
+            with open(client.path("main.k"), "w") as file:
+                file.write("*INCLUDE\nis not there.k\n" + lsp_latency.MAIN)
+        client.notify("textDocument/didSave", {"textDocument": client.document("main.k")})
+    deadline = time.monotonic() + 60
+    while not any("is not there.k" in each["message"] for each in client.found("main.k") or []):
+        assert time.monotonic() < deadline, client.found("main.k")
+        client.audited()
+        client.request("textDocument/foldingRange", {"textDocument": client.document("main.k")})
+    audits = sum("gapcheck audit" in message["params"].get("message", "") for message in client.said)
+    assert 1 <= audits < saves, audits
+    assert client.stop() == 0
+
+
 def check_broken_streams(folder):
     """Streams that cannot go on: an error, then the end."""
     for data in (b"Content-Length: 5", b"Content-Length: -5\r\n\r\n{}", b"Content-Length: 99999999999999999999\r\n\r\n{}",
@@ -313,7 +342,7 @@ def check_giant(folder):
 
 
 CHECKS = [check_editing, check_utf8, check_lifecycle, check_settings, check_same_as_audit, check_deleted,
-          check_broken_streams, check_hostile_messages, check_giant]
+          check_newer_audits, check_broken_streams, check_hostile_messages, check_giant]
 
 
 def main():
