@@ -48,7 +48,7 @@ LIMITED = ["G audit p.k --quiet --jobs 1", "G audit p.k --jobs 4 --format json -
     "G fix p.k -o fixed --jobs 2",
            "G run p.k -o out --cycles 2 --jobs 2", "G compare p.k messag --jobs 2", "G messag messag --format json",
                "C -key messag"]
-MEMORY = [18, 20, 24, 28, 32, 40, 48, 64, 96]  # with 16 the programs are not even loaded
+MEMORY = [20, 22, 24, 28, 32, 40, 48, 64, 96]  # with 18 gapcheck is not even loaded
 DESCRIPTORS = list(range(3, 13))
 
 # ---- Inputs that are not what they should be. WHAT: the name that the call reads.
