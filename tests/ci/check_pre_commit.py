@@ -95,6 +95,12 @@ def with_git(folder, gapcheck):
     repository.environment |= {"GAPCHECK_FAIL_ON": "warning", "GAPCHECK_DECKS": "f*.k"}
     commits.expect("other decks and severity", 1, "18 warnings", without=["rear.k"],
                    **{"mesh.inc": body("two_plates") + "$ more\n", "parts/rear.inc": body("two_plates")})
+    # Where git fails, there is no verdict.
+    outside = folder / "outside"
+    outside.mkdir()
+    said, code = repository.call("env", "-C", str(outside), "GIT_CEILING_DIRECTORIES=" + str(folder), "GAPCHECK_DECKS=",
+                                 str(ROOT / "docs/ci/pre-commit"))
+    commits.judge("outside of a repository", 2, [], [], said, code)
     return commits.count
 
 

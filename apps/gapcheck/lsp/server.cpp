@@ -89,7 +89,8 @@ bool Server::read_one(FrameReader& frames) {
     if (const json& id = member(message->value, {"params", "id"}); is_id(id)) cancelled_.insert(dumped(id));
     return true;
   }
-  const bool last = method == "exit";
+  // A request of that name is answered with an error and ends nothing.
+  const bool last = method == "exit" && !is_id(member(message->value, {"id"}));
   inbox_.post([this, message] { take(*message); }, true);
   return !last;
 }

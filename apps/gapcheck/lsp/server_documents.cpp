@@ -2,6 +2,7 @@
 #include <set>
 #include <utility>
 
+#include "base/file_bytes.hpp"
 #include "lsp/server.hpp"
 #include "lsp/uri.hpp"
 
@@ -12,6 +13,9 @@ Answer Server::did_open(const json& params, const Message& message) {
   const json& text = member(params, {"textDocument", "text"});
   if (path_of(uri).empty() || !text.is_string()) return json();
   Document& document = workspace_.open(uri, count_of(member(params, {"textDocument", "version"})), message.text(text));
+  // A text from the editor's memory of unsaved files: lines of the file are not those of the text.
+  const auto on_disk = FileBytes::open(document.path);
+  document.changed = !on_disk || on_disk.value().bytes() != message.text(text);
   if (folders_.empty()) folders_ = {document.path.substr(0, document.path.rfind('/') + 1)};
   publish(document.path);
   read_deck(document.path, true);

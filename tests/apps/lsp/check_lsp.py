@@ -269,6 +269,28 @@ def check_broken_streams(folder):
         assert message is None if data == b"" else message["error"]["code"] == -32700, (data[:40], message)
 
 
+def check_exit_with_id(folder):
+    """A request `exit` is answered with an error and ends nothing; the notification does."""
+    client = Client(GAPCHECK, folder)
+    client.start()
+    assert "error" in client.ask("exit")
+    client.notify("exit")
+    assert client.process.wait(20) == 1
+
+
+def check_unsaved_text(folder):
+    """A text that is not that of the file counts as unsaved from the beginning: fix would write over its lines."""
+    client = Client(GAPCHECK, folder)
+    client.start()
+    with open(client.path("two_plates.k"), encoding="utf-8") as file:
+        client.open("two_plates.k", "$ not saved\n" + file.read())
+    client.send({"jsonrpc": "2.0", "id": 99, "method": "workspace/executeCommand",
+                 "params": {"command": "gapcheck.fix", "arguments": [client.document("two_plates.k")["uri"]]}})
+    said = client.wait(lambda m: m.get("method") in ("workspace/applyEdit", "window/showMessage"))
+    assert "has changed; save it first" in said["params"].get("message", ""), said
+    assert client.stop() == 0
+
+
 def check_hostile_messages(folder):
     """Messages that mean nothing: an error each, and the next one is answered."""
     client = Client(GAPCHECK, folder)
@@ -342,7 +364,7 @@ def check_giant(folder):
 
 
 CHECKS = [check_editing, check_utf8, check_lifecycle, check_settings, check_same_as_audit, check_deleted,
-          check_newer_audits, check_broken_streams, check_hostile_messages, check_giant]
+          check_newer_audits, check_broken_streams, check_exit_with_id, check_unsaved_text, check_hostile_messages, check_giant]
 
 
 def main():
@@ -351,7 +373,7 @@ def main():
             continue
         started = time.monotonic()
         with tempfile.TemporaryDirectory() as folder:
-            if check is check_same_as_audit:
+            if check in (check_same_as_audit, check_unsaved_text):
                 shutil.copy(os.path.join(PROJECT, "data", "two_plates.k"), folder)
             check(folder)
         print(f"{check.__name__}: {time.monotonic() - started:.1f} s")

@@ -229,6 +229,23 @@ TEST_F(LspFeatures, Rename) {
   EXPECT_EQ(renamed(*parts_, {4, 9}, "9"),
             "line 9 of " + path("main.k") + " gives it by a parameter; change the value of the parameter");
   EXPECT_EQ(renamed(*main_, {0, 2}, "9"), "there is no id or parameter here that can get another name");
+  // Lines whose cards are not told apart may name it: no rename is better than half of one.
+  const auto with = [&](const std::string& more) {
+    Workspace::set_text(*parts_, Text(parts_text + more));
+    return renamed(*main_, {8, 9}, "77");
+  };
+  const std::string why = " may name 1 or 77, in a way that is not understood; change it by hand";
+  EXPECT_EQ(with("*ELEMENT_SHELL_THICKNESS\n       3       2       2       2       3       4\n1.0,1.0,1.0,1.0\n"
+                 "       4       1       2       2       3       4\n1.0,1.0,1.0,1.0\n"),
+            "line 19 of " + path("parts.k") + " in *ELEMENT_SHELL_THICKNESS" + why);
+  EXPECT_EQ(with("*SET_PART_LIST_GENERATE\n        20\n        70        80\n"),
+            "line 19 of " + path("parts.k") + " in *SET_PART_LIST_GENERATE" + why);
+  EXPECT_EQ(with("*DEFORMABLE_TO_RIGID\n         1\n"),
+            "line 18 of " + path("parts.k") + " in *DEFORMABLE_TO_RIGID" + why);
+  EXPECT_EQ(with("*DEFORMABLE_TO_RIGID\n        11\n"),
+            "main.k:8:8-10 '77'\nparts.k:2:8-10 '77'\nparts.k:12:14-16 '77'\n");
+  Workspace::set_text(*parts_, Text("*PARAMETER_EXPRESSION\nR        s 2*t\n" + std::string(parts_text)));
+  EXPECT_EQ(renamed(*main_, {12, 9}, "tt"), "line 2 of " + path("parts.k") + " has it without &; change it by hand");
 }
 
 TEST_F(LspFeatures, Outline) {

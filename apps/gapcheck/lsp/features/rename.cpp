@@ -52,6 +52,85 @@ std::set<std::string> files_read_twice(const FileView& file) {
   return twice;
 }
 
+/// Keywords that name things in lines which the card layouts do not tell apart.
+bool is_unsure(const Keyword& keyword, const Text& text) {
+  const std::string_view name = keyword.name;
+  if (name.starts_with("DEFORMABLE_TO_RIGID") || name.starts_with("RIGID_DEFORMABLE") ||
+      name.starts_with("INITIAL_VELOCITY_GENERATION") || name.find("_GENERATE") != std::string_view::npos)
+    return true;
+  return name.starts_with("ELEMENT") && !card_order(text, keyword).checked;
+}
+
+/// Whether a number stands in a line, by itself.
+bool has_number(std::string_view line, std::string_view number) {
+  const auto digit = [&](std::size_t at) { return at < line.size() && line[at] >= '0' && line[at] <= '9'; };
+  for (std::size_t at = line.find(number); at != std::string_view::npos; at = line.find(number, at + 1))
+    if (!(at > 0 && digit(at - 1)) && !digit(at + number.size())) return true;
+  return false;
+}
+
+/// Whether a line of "first last" pairs has an id inside a range.
+bool in_range(std::string_view line, std::int64_t id) {
+  std::optional<std::int64_t> first;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t begin = line.find_first_of("0123456789", at);
+    if (begin == std::string_view::npos) break;
+    at = std::min(line.find_first_not_of("0123456789", begin), line.size());
+    const auto number = parse_integer(line.substr(begin, at - begin));
+    if (!number) return false;
+    if (first && *first <= id && id <= *number) return true;
+    first = first ? std::nullopt : number;
+  }
+  return false;
+}
+
+/// A line that may name one of the ids although the layouts do not say so; empty: there is none.
+std::string unsure_line(const FileView& file, std::int64_t from, std::int64_t to) {
+  std::string where;
+  const std::set<std::int64_t> offsets = file.scope.offsets();
+  for (const Keyword& keyword : *file.outline) {
+    if (!where.empty() || !is_unsure(keyword, *file.text)) continue;
+    const bool ranges = keyword.name.find("_GENERATE") != std::string::npos;
+    const auto names = [&](std::string_view line, std::int64_t offset) {
+      return has_number(line, std::to_string(from - offset)) ||
+             (ranges && (in_range(line, from - offset) || in_range(line, to - offset)));
+    };
+    file.text->for_each_line(keyword.line + 1, keyword.end, [&](std::uint32_t number, std::string_view line) {
+      const bool found =
+          !line.starts_with('$') &&
+          (names(line, 0) || std::ranges::any_of(offsets, [&](std::int64_t o) { return names(line, o); }));
+      if (found)
+        where =
+            fmt::format("line {} of {} in *{} may name {} or {}, in a way that is not understood; change it by hand",
+                        number + 1, file.path, keyword.name, from, to);
+      return !found;
+    });
+  }
+  return where;
+}
+
+/// A line of *PARAMETER_EXPRESSION whose expression has the parameter without "&"; empty: there is none.
+std::string bare_name(const FileView& file, const std::string& name) {
+  constexpr std::size_t of_name = 10;  // columns of the definition
+  std::string where;
+  const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (const Keyword& keyword : *file.outline) {
+    if (!keyword.name.starts_with("PARAMETER_EXPRESSION")) continue;
+    file.text->for_each_line(keyword.line + 1, keyword.end, [&](std::uint32_t number, std::string_view line) {
+      std::string lower(line.substr(std::min(of_name, line.size())));
+      for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      for (std::size_t at = lower.find(name); at != std::string::npos; at = lower.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        const bool inside = (at > 0 && in_name(lower[at - 1])) || (end < lower.size() && in_name(lower[end]));
+        if (!inside && !(at > 0 && lower[at - 1] == '&') && where.empty())
+          where = fmt::format("line {} of {} has it without &; change it by hand", number + 1, file.path);
+      }
+      return where.empty();
+    });
+  }
+  return where;
+}
+
 /// The text that replaces what is written at an occurrence: the id without the offset of its include.
 std::string text_there(const FileView& file, const Occurrence& at, const Symbol& to, const std::string& name) {
   if (to.kind == Kind::parameter) return name;
@@ -88,6 +167,8 @@ class FileEdits {
     if (each.by_parameter) return where() + " gives it by a parameter; change the value of the parameter";
     if (each.symbol.kind == Kind::any_set)
       return where() + " names a set of this number, but does not say of which kind; change it by hand";
+    if (to_.kind != Kind::parameter && text_there(file_, each, to_, name_).find_first_of("-0") == 0)
+      return where() + " is in an include whose offset is too large for that number";
     if (each.width > 0 && line.find('\t') != std::string_view::npos) return where() + " has tabs; put blanks there";
     const bool again = !edits_.empty() && edits_.back().line == each.line && begin_ == each.field_begin;
     if (!again) {
@@ -159,6 +240,8 @@ Result<json> rename(const Question& question, Place place, const std::string& na
         fault = fmt::format("it is named more than {} times", most_edits);
       return fault.empty();
     });
+    if (fault.empty())
+      fault = to.kind == Kind::parameter ? bare_name(file, at->symbol.name) : unsure_line(file, at->symbol.id, to.id);
     count += edits.size();
     if (!edits.empty()) changes[uri_of(file.path)] = edits.list(question.encoding);
     return fault.empty();
