@@ -284,10 +284,9 @@ def check_unsaved_text(folder):
     client.start()
     with open(client.path("two_plates.k"), encoding="utf-8") as file:
         client.open("two_plates.k", "$ not saved\n" + file.read())
-    client.send({"jsonrpc": "2.0", "id": 99, "method": "workspace/executeCommand",
-                 "params": {"command": "gapcheck.fix", "arguments": [client.document("two_plates.k")["uri"]]}})
-    said = client.wait(lambda m: m.get("method") in ("workspace/applyEdit", "window/showMessage"))
-    assert "has changed; save it first" in said["params"].get("message", ""), said
+    reply = client.ask("workspace/executeCommand", {"command": "gapcheck.fix",
+                                                    "arguments": [client.document("two_plates.k")["uri"]]})
+    assert "has changed; save it first" in reply.get("error", {}).get("message", ""), reply
     assert client.stop() == 0
 
 
