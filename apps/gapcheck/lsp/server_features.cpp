@@ -52,7 +52,8 @@ Answer Server::prepare_rename(const json& params, const Message&) {
 Answer Server::rename(const json& params, const Message&) {
   const std::string& name = text_of(member(params, {"newName"}));
   const Document* document = workspace_.find(text_of(member(params, {"textDocument", "uri"})));
-  if (document != nullptr && decks_wanted_.contains(document->path))
+  // Later on, a deck that is read again for what has changed is good enough: its texts are those of the editor.
+  if (document != nullptr && workspace_.main_of(*document).empty() && decks_wanted_.contains(document->path))
     return Failure{Failure::request_failed, "the files of the deck are still being read; try again"};
   return ask_at(params, [&](const Question& q, Place at) -> Answer {
     auto edits = lsp::rename(q, at, name);
