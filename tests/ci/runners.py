@@ -117,7 +117,7 @@ class GitHub:
 
 
 def without_installing(repository):
-    """Stands in for apt-get and curl, which would change the machine; what they are called with is written down."""
+    """Replaces apt-get and curl, which would change the machine, and records their arguments."""
     folder = repository.folder.parent / f"commands of {repository.folder.name}"
     folder.mkdir()
     for name in ("apt-get", "curl"):

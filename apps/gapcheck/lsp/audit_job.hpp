@@ -14,7 +14,7 @@
 
 namespace gapcheck::app::lsp {
 
-/// Reads the structure of a deck for scopes. `changed`: by canonical path, what stands in the editor in place of files.
+/// Reads the structure of a deck for scopes. `changed`: texts of the editor that replace files, by canonical path.
 /// nullptr: it cannot be read.
 [[nodiscard]] std::shared_ptr<const keyword::Deck> deck_for_editor(const std::string& deck, keyword::ReadOptions read,
                                                                    const std::map<std::string, std::string>& changed);

@@ -42,7 +42,7 @@ std::int64_t number_in(std::string_view line, std::size_t field, keyword::Format
   return parse_integer(line.substr(0, line.find(','))).value_or(0);
 }
 
-/// A line of text in front of others.
+/// The layout of a title line.
 const CardLayout* text_line() { return &keyword::card_layout("TITLE", "card1"); }
 
 /// As lib/model/read/read_contacts.cpp reads them.

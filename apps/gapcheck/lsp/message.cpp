@@ -10,7 +10,7 @@ namespace gapcheck::app::lsp {
 namespace {
 
 constexpr std::size_t long_text = std::size_t{1} << 20;
-/// What stands in place of a long text. Who writes it into a message of his own gets his own text.
+/// Replaces a long text in the parsed message. A client that sends these words itself gets them back as its own text.
 constexpr std::string_view placeholder = "\x01long text ";
 
 /// The quote that ends the string whose first character is at `at`; npos: none.

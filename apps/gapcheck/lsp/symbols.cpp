@@ -141,14 +141,6 @@ std::optional<Role> role_of(const Keyword& keyword, const CardLayout& layout, st
   return kind ? std::optional(Role{*kind, false}) : std::nullopt;
 }
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
-
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 /// The parameters in a field: `&name`, also in expressions.
 void add_parameters(std::string_view written, const Occurrence& field, std::vector<Occurrence>& found) {
   for (std::size_t at = written.find('&'); at != std::string_view::npos; at = written.find('&', at + 1)) {
@@ -302,6 +294,14 @@ bool may_hold(std::string_view line, const std::vector<std::string>& texts) {
 }
 
 }  // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 void for_each_occurrence(const FileView& file, const Symbol& symbol, Reach reach,
                          const std::function<bool(const Occurrence&)>& visit) {

@@ -88,4 +88,9 @@ struct Defined {
 /// What a keyword defines, without nodes and elements.
 [[nodiscard]] std::vector<Defined> definitions_in(const FileView& file, const Keyword& keyword);
 
+/// As names of parameters are compared.
+[[nodiscard]] std::string lower_case(std::string_view text);
+/// True for what a parameter's name may consist of.
+[[nodiscard]] bool in_name(char c);
+
 }  // namespace gapcheck::app::lsp

@@ -19,7 +19,7 @@ using keyword::CardLayout;
 using keyword::Field;
 using keyword::FieldType;
 
-/// Enough to see that a file is no deck, or in another format.
+/// Enough to show that a file is not a deck, or has another format.
 constexpr std::size_t most_faults_in_a_piece = 100;
 /// To find the nearest known keyword takes a while.
 constexpr std::size_t most_names_looked_up = 20;

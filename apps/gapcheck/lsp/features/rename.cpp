@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -36,8 +35,7 @@ Symbol renamed(Symbol symbol, const std::string& name) {
     symbol.id = parse_integer(name).value_or(0);
     return symbol;
   }
-  symbol.name = name;
-  for (char& c : symbol.name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  symbol.name = lower_case(name);
   return symbol;
 }
 
@@ -61,7 +59,7 @@ bool is_unsure(const Keyword& keyword, const Text& text) {
   return name.starts_with("ELEMENT") && !card_order(text, keyword).checked;
 }
 
-/// Whether a number stands in a line, by itself.
+/// True if the line holds the number as a whole, not as digits of a longer one.
 bool has_number(std::string_view line, std::string_view number) {
   const auto digit = [&](std::size_t at) { return at < line.size() && line[at] >= '0' && line[at] <= '9'; };
   for (std::size_t at = line.find(number); at != std::string_view::npos; at = line.find(number, at + 1))
@@ -113,12 +111,10 @@ std::string unsure_line(const FileView& file, std::int64_t from, std::int64_t to
 std::string bare_name(const FileView& file, const std::string& name) {
   constexpr std::size_t of_name = 10;  // columns of the definition
   std::string where;
-  const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   for (const Keyword& keyword : *file.outline) {
     if (!keyword.name.starts_with("PARAMETER_EXPRESSION")) continue;
     file.text->for_each_line(keyword.line + 1, keyword.end, [&](std::uint32_t number, std::string_view line) {
-      std::string lower(line.substr(std::min(of_name, line.size())));
-      for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      const std::string lower = lower_case(line.substr(std::min(of_name, line.size())));
       for (std::size_t at = lower.find(name); at != std::string::npos; at = lower.find(name, at + 1)) {
         const std::size_t end = at + name.size();
         const bool inside = (at > 0 && in_name(lower[at - 1])) || (end < lower.size() && in_name(lower[end]));
