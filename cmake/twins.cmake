@@ -46,12 +46,12 @@ function(gapcheck_twin_test target kind test)
 endfunction()
 
 # gapcheck_add_halves(TARGET TEST SUFFIX TIMEOUT seconds [LABELS …] [ENVIRONMENT …] [ARGUMENTS …]): test TEST+SUFFIX that runs program TARGET+SUFFIX. The longest
-# one runs in two halves at once, before the others. Under its second name it writes results of its own.
+# ones run in two halves at once, before the others. Under its second name it writes results of its own.
 function(gapcheck_add_halves target test suffix)
   cmake_parse_arguments(HALF "" "TIMEOUT" "LABELS;ENVIRONMENT;ARGUMENTS" ${ARGN})
   set(halves ${test})
-  if(test STREQUAL solver)
-    list(APPEND halves solver.second)
+  if(test MATCHES "^(apps|solver)$")
+    list(APPEND halves ${test}.second)
     add_custom_command(TARGET ${target}${suffix} POST_BUILD
       COMMAND ${CMAKE_COMMAND} -E create_symlink $<TARGET_FILE_NAME:${target}${suffix}> ${target}.second${suffix}
       WORKING_DIRECTORY $<TARGET_FILE_DIR:${target}${suffix}>)

@@ -8,6 +8,7 @@ import json
 import os
 import select
 import shutil
+import signal
 import struct
 import subprocess
 import tempfile
@@ -39,7 +40,7 @@ class Browser:
             [program(), "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-extensions",
              "--disable-background-networking", "--no-first-run", f"--user-data-dir={self.folder}",
              f"--window-size={width},{height}", *graphics, "about:blank"],
-            close_fds=False, preexec_fn=pipes, stdout=subprocess.DEVNULL,
+            close_fds=False, preexec_fn=pipes, start_new_session=True, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
@@ -50,18 +51,17 @@ class Browser:
         self.session = attached["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(domain + ".enable")
+        self.resize(width, height, dark)
+
+    def resize(self, width, height, dark=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self.call("Emulation.setEmulatedMedia", features=[scheme])
 
     def close(self):
-        try:
-            self.session = None
-            self.call("Browser.close")
-            self.process.wait(20)
-        except (OSError, RuntimeError, subprocess.TimeoutExpired):
-            self.process.kill()
-            self.process.wait()
+        # Its profile is thrown away, so there is nothing that an orderly end, which takes it seconds, would save.
+        os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.wait()
         os.close(self.read)
         os.close(self.write)
         shutil.rmtree(self.folder, ignore_errors=True)

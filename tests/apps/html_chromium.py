@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Opens a page of gapcheck --html in Chromium and holds it against what it promises.
+"""Opens a page of gapcheck --html in Chromium and compares it with what it promises.
 
 usage: html_chromium.py PAGE [--large]    exit code 0: good, 1: not, 77: Chromium is not installed
 """
@@ -48,8 +48,10 @@ def check_start(browser):
 
 def check_layout(path):
     """At each size the verdict and the whole picture are on the first screen, and the picture is half of it."""
-    for width, height, dark in ((1280, 900, False), (700, 900, True), (1920, 1000, False)):
-        with Browser(width, height, dark) as browser:
+    with Browser() as browser:
+        for width, height, dark in ((1280, 900, False), (700, 900, True), (1920, 1000, False)):
+            browser.resize(width, height, dark)
+            browser.open("about:blank")
             browser.open(path)
             boxes = browser.value("['#verdict', '.picture', '#view', '#findings'].map(s => "
                                   "{ const b = document.querySelector(s).getBoundingClientRect(); "

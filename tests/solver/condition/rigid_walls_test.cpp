@@ -12,7 +12,7 @@ namespace {
 
 // A mass thrown at a plane: it comes to lie on it, gives m v and ½ m v² to it, and stays there.
 TEST(RigidWalls, PlasticStop) {
-  Flight flight = fly(mass_at("0.,0.,0.0123") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n", {0.5, 0, -3}, 1e-3);
+  WallFlight flight = fly(mass_at("0.,0.,0.0123") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n", {0.5, 0, -3}, 1e-3);
   double impulse = 0;
   for (int i = 0; i < 20; ++i) {
     run(flight, 1);
@@ -34,12 +34,12 @@ TEST(RigidWalls, PlaneInAnyDirection) {
   const std::string wall = "*RIGIDWALL_PLANAR\n1\n1,2,3,2,4,5\n";
   const Vector normal = Vector(1, 2, 2) / 3;
   const Vector along = normal.unitOrthogonal();
-  Flight flight = fly(mass_at("1.01,2.02,3.02") + wall, along - 4 * normal, 1e-3);
+  WallFlight flight = fly(mass_at("1.01,2.02,3.02") + wall, along - 4 * normal, 1e-3);
   run(flight, 50);
   EXPECT_NEAR((flight.stepper.state().v[0] - along).norm(), 0, 1e-12);
   EXPECT_NEAR((flight.stepper.state().x[0] - Vector(1, 2, 3)).dot(normal), 0, 1e-14);
   EXPECT_EQ(flight.wall().touching, 0u);
-  Flight away = fly(mass_at("1.,2.,3.") + wall, 4 * normal, 1e-3);
+  WallFlight away = fly(mass_at("1.,2.,3.") + wall, 4 * normal, 1e-3);
   run(away, 50);
   EXPECT_NEAR((away.stepper.state().v[0] - 4 * normal).norm(), 0, 1e-14);
   EXPECT_EQ(away.wall().energy, 0);
@@ -48,7 +48,7 @@ TEST(RigidWalls, PlaneInAnyDirection) {
 // A weight lies on the wall: its weight is the wall's force, no work. With friction it comes to rest after v / (μ g).
 TEST(RigidWalls, WeightAndFriction) {
   constexpr double weight = 6, mass = 2, mu = 0.25, speed = 0.3, step = 1e-3;
-  Flight flight = fly(mass_at("0.,0.,0.") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,0.25\n", {speed, 0, 0}, step);
+  WallFlight flight = fly(mass_at("0.,0.,0.") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,0.25\n", {speed, 0, 0}, step);
   flight.stepper.add(std::make_unique<SteadyPush>(Vector(0, 0, -weight)));
   // The load was added behind the walls: reactions come after all loads.
   const double slowing = mu * weight / mass;
@@ -69,11 +69,11 @@ TEST(RigidWalls, WeightAndFriction) {
 
 // Coulomb on the stopping impulse: v − μ · impulse / m. FRIC 1: no sliding at all.
 TEST(RigidWalls, FrictionOnTheImpulse) {
-  Flight flight = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,0.2\n", {5, 0, -3}, 1e-3);
+  WallFlight flight = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,0.2\n", {5, 0, -3}, 1e-3);
   run(flight, 10);
   EXPECT_NEAR(flight.stepper.state().v[0].x(), 5 - 0.2 * 3, 1e-12);
   EXPECT_NEAR(flight.wall().energy, 0.5 * 2 * (9 + 25 - 4.4 * 4.4), 1e-11);
-  Flight rough = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,1.\n", {5, 0, -3}, 1e-3);
+  WallFlight rough = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,1.\n", {5, 0, -3}, 1e-3);
   run(rough, 10);
   EXPECT_NEAR(rough.stepper.state().v[0].norm(), 0, 1e-12);
   EXPECT_NEAR(rough.wall().energy, 0.5 * 2 * (9 + 25), 1e-11);
@@ -82,11 +82,11 @@ TEST(RigidWalls, FrictionOnTheImpulse) {
 // Who starts behind the wall is not thrown out, but goes no deeper.
 TEST(RigidWalls, StartBehind) {
   const std::string deck = mass_at("0.,0.,-0.5") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n";
-  Flight flight = fly(deck, {1, 0, -3}, 1e-3);
+  WallFlight flight = fly(deck, {1, 0, -3}, 1e-3);
   run(flight, 20);
   EXPECT_NEAR(flight.stepper.state().x[0].z(), -0.5, 1e-14);
   EXPECT_NEAR(flight.stepper.state().v[0].x(), 1, 1e-14);
-  Flight out = fly(deck, {0, 0, 3}, 1e-3);
+  WallFlight out = fly(deck, {0, 0, 3}, 1e-3);
   run(out, 20);
   EXPECT_NEAR(out.stepper.state().v[0].z(), 3, 1e-14);
 }
@@ -94,14 +94,14 @@ TEST(RigidWalls, StartBehind) {
 // Past a rectangle, and between birth and death only.
 TEST(RigidWalls, RectangleAndTimes) {
   const std::string finite = "*RIGIDWALL_PLANAR_FINITE\n1\n0,0,0,0,0,1\n1,0,0,2,3\n";
-  Flight inside = fly(mass_at("1.,1.,0.") + finite, {0, 0, -3}, 1e-3);
+  WallFlight inside = fly(mass_at("1.,1.,0.") + finite, {0, 0, -3}, 1e-3);
   run(inside, 5);
   EXPECT_EQ(inside.stepper.state().x[0].z(), 0);
-  Flight past = fly(mass_at("1.,3.1,0.") + finite, {0, 0, -3}, 1e-3);
+  WallFlight past = fly(mass_at("1.,3.1,0.") + finite, {0, 0, -3}, 1e-3);
   run(past, 5);
   EXPECT_LT(past.stepper.state().x[0].z(), -0.014);
   const std::string timed = "*RIGIDWALL_PLANAR\n1,0,0,0.,0.0105,0.0205\n0,0,0,0,0,1\n";
-  Flight flight = fly(mass_at("0.,0.,0.") + timed, {0, 0, -3}, 1e-3);
+  WallFlight flight = fly(mass_at("0.,0.,0.") + timed, {0, 0, -3}, 1e-3);
   flight.stepper.add(std::make_unique<SteadyPush>(Vector(0, 0, -1)));
   run(flight, 10);
   EXPECT_EQ(flight.wall().touching, 0u);
@@ -118,7 +118,7 @@ TEST(RigidWalls, RectangleAndTimes) {
 // A mass that meets a cylinder off its middle goes on along it.
 TEST(RigidWalls, CylinderKeepsWhatIsAlong) {
   constexpr double step = 1e-5;
-  Flight flight =
+  WallFlight flight =
       fly(mass_at("-0.6,0.,0.") + "*RIGIDWALL_GEOMETRIC_CYLINDER\n1\n0,0,-1,0,0,1\n0.5\n", {2, 0, 0.3}, step);
   // Hits at (-0.5, 0): head on, only the motion along the axis is left.
   run(flight, 6000);
@@ -128,8 +128,9 @@ TEST(RigidWalls, CylinderKeepsWhatIsAlong) {
   EXPECT_NEAR(flight.wall().energy, 0.5 * 2 * 4, 1e-9);
   // At 60 degrees from the flight direction the part along the tangent stays: v sin 60.
   const double y = 0.5 * std::sin(std::numbers::pi / 3);
-  Flight off = fly(mass_at(fmt::format("-0.6,{:.15g},0.", y)) + "*RIGIDWALL_GEOMETRIC_CYLINDER\n1\n0,0,-1,0,0,1\n0.5\n",
-                   {2, 0, 0}, step);
+  WallFlight off =
+      fly(mass_at(fmt::format("-0.6,{:.15g},0.", y)) + "*RIGIDWALL_GEOMETRIC_CYLINDER\n1\n0,0,-1,0,0,1\n0.5\n",
+          {2, 0, 0}, step);
   for (int i = 0; i < 100000 && off.wall().energy == 0; ++i) run(off, 1);
   run(off, 3);
   EXPECT_NEAR(off.stepper.state().v[0].norm(), 2 * std::sin(std::numbers::pi / 3), 1e-3);
@@ -138,7 +139,8 @@ TEST(RigidWalls, CylinderKeepsWhatIsAlong) {
 }
 
 TEST(RigidWalls, SphereFromInside) {
-  Flight flight = fly(mass_at("0.,0.,0.99") + "*RIGIDWALL_GEOMETRIC_SPHERE_INTERIOR\n1\n0,0,0\n1.\n", {0, 0, 3}, 1e-3);
+  WallFlight flight =
+      fly(mass_at("0.,0.,0.99") + "*RIGIDWALL_GEOMETRIC_SPHERE_INTERIOR\n1\n0,0,0\n1.\n", {0, 0, 3}, 1e-3);
   run(flight, 20);
   EXPECT_NEAR(flight.stepper.state().x[0].z(), 1, 1e-14);
   EXPECT_NEAR(flight.wall().energy, 9, 1e-12);
@@ -146,7 +148,7 @@ TEST(RigidWalls, SphereFromInside) {
 
 // Held against the wall's normal the wall has nothing to do; held across it, it stops what is free.
 TEST(RigidWalls, ConstrainedNodes) {
-  Flight flight = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,1,1\n", {0, 0, -3}, 1e-3, 3);
+  WallFlight flight = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,1,1\n", {0, 0, -3}, 1e-3, 3);
   run(flight, 20);
   EXPECT_NEAR(flight.stepper.state().x[0].z(), 0, 1e-14);
   EXPECT_EQ(flight.stepper.state().x[0].y(), 0);
@@ -157,9 +159,9 @@ TEST(RigidWalls, ConstrainedNodes) {
 TEST(RigidWalls, RodAgainstTheWall) {
   constexpr double young = 400, density = 4, speed = 0.01, wave = 10, area = 0.01;
   constexpr int n = 100;
-  Flight flight = fly(brick_bar(n, {0.1, 0.1, 0.1}) + elastic_deck(solid_section, young, 0, density) +
-                          "*RIGIDWALL_PLANAR\n0\n0,0,0,1,0,0\n",
-                      {-speed, 0, 0}, 1e-3);
+  WallFlight flight = fly(brick_bar(n, {0.1, 0.1, 0.1}) + elastic_deck(solid_section, young, 0, density) +
+                              "*RIGIDWALL_PLANAR\n0\n0,0,0,1,0,0\n",
+                          {-speed, 0, 0}, 1e-3);
   double impulse = 0, last = 0;
   while (flight.stepper.state().time < 1) {  // half of the way to the free end and back
     run(flight, 1);
@@ -175,11 +177,11 @@ TEST(RigidWalls, RodAgainstTheWall) {
 }
 
 TEST(RigidWalls, WhatIsNotCalculatedIsNamed) {
-  const Flight flight = fly(mass_at("0.,0.,0.") +
-                                "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,-2.5\n"
-                                "*RIGIDWALL_GEOMETRIC_SPHERE\n1\n0,0,0,0,0,1,3.\n1.\n"
-                                "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n",
-                            {0, 0, 0}, 1);
+  const WallFlight flight = fly(mass_at("0.,0.,0.") +
+                                    "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,-2.5\n"
+                                    "*RIGIDWALL_GEOMETRIC_SPHERE\n1\n0,0,0,0,0,1,3.\n1.\n"
+                                    "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n",
+                                {0, 0, 0}, 1);
   EXPECT_EQ(flight.walls->states().size(), 1u);
   EXPECT_EQ(flight.wall().wall, 2u);
   ASSERT_EQ(flight.diagnostics.size(), 2u);
@@ -218,7 +220,7 @@ TEST(RigidWalls, ContradictionsEndTheRun) {
 
 // Numbers without sense must not bring it down.
 TEST(RigidWalls, HostileNumbers) {
-  Flight flight =
+  WallFlight flight =
       fly(mass_at("1e29,-1e29,0.") + "*RIGIDWALL_PLANAR\n1\n1e29,1e29,1e29,0,0,1\n", {1e200, 1e300, 1e300}, 1);
   SolverStatus status;
   for (int i = 0; i < 5 && status.ok(); ++i) status = flight.stepper.step();
@@ -233,9 +235,9 @@ TEST(RigidWalls, SameBitsForAnyNumberOfThreads) {
   std::array<double, 2> energy{};
   for (std::size_t run_number = 0; run_number < 2; ++run_number) {
     const JobLimit jobs(run_number == 0 ? 1 : 4);
-    Flight flight = fly(plate(60, 60, {0.1, 0.1, 0}) + elastic_deck(shell_section, 1000, 0.3, 1) +
-                            "*RIGIDWALL_PLANAR\n0\n0,0,-0.001,0.1,0.05,1,0.3\n",
-                        {0, 0, -1}, 1e-3);
+    WallFlight flight = fly(plate(60, 60, {0.1, 0.1, 0}) + elastic_deck(shell_section, 1000, 0.3, 1) +
+                                "*RIGIDWALL_PLANAR\n0\n0,0,-0.001,0.1,0.05,1,0.3\n",
+                            {0, 0, -1}, 1e-3);
     run(flight, 20);
     result[run_number] = flight.stepper.state();
     energy[run_number] = flight.wall().energy;

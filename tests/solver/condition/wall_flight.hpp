@@ -9,14 +9,14 @@
 namespace gapcheck::solver {
 
 /// A stepper with the walls of a deck; the deck's masses fly with the given velocity.
-struct Flight {
+struct WallFlight {
   Stepper stepper;
   const RigidWalls* walls;
   std::vector<Diagnostic> diagnostics;
   [[nodiscard]] const WallState& wall(std::size_t i = 0) const { return walls->states()[i]; }
 };
 
-inline Flight fly(const std::string& deck, const Vector& velocity, double step, std::uint8_t held = 0) {
+inline WallFlight fly(const std::string& deck, const Vector& velocity, double step, std::uint8_t held = 0) {
   const model::Read read = model::read_text(deck);
   EXPECT_EQ(read.errors(), 0u) << read.text();
   const SolverStatus checked = check_walls(read.model);
@@ -30,12 +30,12 @@ inline Flight fly(const std::string& deck, const Vector& velocity, double step, 
   StepSettings settings;
   settings.greatest_step = step;
   auto walls = std::make_unique<RigidWalls>(read.model, structure, diagnostics);
-  Flight flight{Stepper(std::move(structure), settings), walls.get(), diagnostics.sorted()};
+  WallFlight flight{Stepper(std::move(structure), settings), walls.get(), diagnostics.sorted()};
   flight.stepper.add(std::move(walls));
   return flight;
 }
 
-inline void run(Flight& flight, int steps) {
+inline void run(WallFlight& flight, int steps) {
   for (int i = 0; i < steps; ++i) {
     const SolverStatus status = flight.stepper.step();
     ASSERT_TRUE(status.ok()) << status.error().message;

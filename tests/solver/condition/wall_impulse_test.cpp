@@ -9,7 +9,7 @@ namespace {
 
 // A wall of mass 6 meets a mass of 2: both go on with the common velocity, and the rest of the energy is lost.
 TEST(WallImpulse, WallWithAMass) {
-  Flight flight =
+  WallFlight flight =
       fly(mass_at("0.,0.,0.0123") + "*RIGIDWALL_PLANAR_MOVING\n1\n0,0,0,0,0,1\n6.,2.\n", {0.5, 0, -1}, 1e-3);
   double impulse = 0;
   for (int i = 0; i < 20; ++i) {
@@ -29,9 +29,9 @@ TEST(WallImpulse, WallWithAMass) {
 // A wall of mass M runs into a bar: V = V0 exp(−ρ c A t / M) until the wave comes back from the free end.
 TEST(WallImpulse, WallWithAMassAgainstARod) {
   constexpr double speed = 0.01, mass = 0.4, resistance = 4 * 10 * 0.01;  // ρ c A
-  Flight flight = fly(brick_bar(100, {0.1, 0.1, 0.1}) + elastic_deck(solid_section, 400, 0, 4) +
-                          "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,0,1,0,0\n0.4,0.01\n",
-                      Vector::Zero(), 1e-3);
+  WallFlight flight = fly(brick_bar(100, {0.1, 0.1, 0.1}) + elastic_deck(solid_section, 400, 0, 4) +
+                              "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,0,1,0,0\n0.4,0.01\n",
+                          Vector::Zero(), 1e-3);
   double most = 0;
   while (flight.stepper.state().time < 1.5) {
     run(flight, 1);
@@ -49,7 +49,7 @@ TEST(WallImpulse, WallWithAMassAgainstARod) {
 TEST(WallImpulse, WallThatFollowsACurve) {
   const std::string velocity = "*DEFINE_CURVE\n3\n0.,0.\n1.,4.\n", way = "*DEFINE_CURVE\n3\n0.,0.\n1.,2.\n";
   for (const int option : {0, 1}) {
-    Flight flight =
+    WallFlight flight =
         fly(mass_at("0.,0.,0.") +
                 fmt::format("*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n1\n0,0,0,0,0,1\n1,0,0\n3,{},0.,0.,3.\n", option) +
                 (option == 0 ? velocity : way),
@@ -62,9 +62,10 @@ TEST(WallImpulse, WallThatFollowsACurve) {
     EXPECT_GT(flight.stepper.energies().external, 0);
   }
   // The curve begins at the wall's birth.
-  Flight late = fly(mass_at("0.,0.,0.") +
-                        "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n1,0,0,0.25\n0,0,0,0,0,1\n1,0,0\n3,0,0.,0.,3.\n" + velocity,
-                    Vector::Zero(), 1.0 / 128);
+  WallFlight late =
+      fly(mass_at("0.,0.,0.") + "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n1,0,0,0.25\n0,0,0,0,0,1\n1,0,0\n3,0,0.,0.,3.\n" +
+              velocity,
+          Vector::Zero(), 1.0 / 128);
   run(late, 96);
   EXPECT_NEAR(late.stepper.state().x[0].z(), 4 * 0.5 * 0.5 / 2, 1e-12);
 }
@@ -72,8 +73,9 @@ TEST(WallImpulse, WallThatFollowsACurve) {
 // FRIC 2 and 3 weld what comes faster than WVEL, without and with sliding; the rest bounces off a pull.
 TEST(WallImpulse, Welds) {
   const auto pulled = [](double fric, double limit) {
-    Flight flight = fly(mass_at("0.,0.,0.01") + fmt::format("*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,{},{}\n", fric, limit),
-                        {5, 0, -3}, 1e-3);
+    WallFlight flight =
+        fly(mass_at("0.,0.,0.01") + fmt::format("*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,{},{}\n", fric, limit), {5, 0, -3},
+            1e-3);
     flight.stepper.add(std::make_unique<SteadyPush>(Vector(1, 0, 4)));
     run(flight, 500);
     EXPECT_NEAR(flight.stepper.energies().ratio(), 1, 1e-10);
@@ -89,7 +91,7 @@ TEST(WallImpulse, Welds) {
 
 // SOFT: the velocity falls in equal parts over that many cycles, and with it the force.
 TEST(WallImpulse, Soft) {
-  Flight flight = fly(mass_at("0.,0.,0.004") + "*RIGIDWALL_PLANAR_FORCES\n1\n0,0,0,0,0,1\n10\n", {0, 0, -3}, 1e-3);
+  WallFlight flight = fly(mass_at("0.,0.,0.004") + "*RIGIDWALL_PLANAR_FORCES\n1\n0,0,0,0,0,1\n10\n", {0, 0, -3}, 1e-3);
   run(flight, 2);  // it meets the wall in the second step
   for (int i = 1; i < 10; ++i) {
     EXPECT_NEAR(flight.stepper.state().v[0].z(), -3 * (1 - 0.1 * i), 1e-12);
@@ -106,7 +108,7 @@ TEST(WallImpulse, Soft) {
 // Friction by direction: μa along d, μb across it; between them an ellipse; the same ones as FRIC would be.
 TEST(WallImpulse, FrictionByDirection) {
   const auto left = [](const Vector& velocity, const std::string& coefficients) {
-    Flight flight =
+    WallFlight flight =
         fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR_ORTHO\n1\n0,0,0,0,0,1\n" + coefficients + "\n0,0,1.,0.,0.\n",
             velocity, 1e-3);
     run(flight, 10);

@@ -22,11 +22,11 @@ constexpr double mass = 4 * 1e-3, spring = 0.1 * 100000 * 0.1;  // of one node: 
 // RWPNAL 0: the body passes; 1: it bounces as a mass on four springs, v √(m / 4 k) deep, and gives all energy back.
 TEST(WallPenalty, RigidCubeBounces) {
   const std::string wall = "*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1\n";
-  Flight passes = fly(rigid_cube(0, 0) + wall, {0, 0, -1}, 1e-3);
+  WallFlight passes = fly(rigid_cube(0, 0) + wall, {0, 0, -1}, 1e-3);
   run(passes, 50);
   EXPECT_NEAR(passes.stepper.state().bodies[0].velocity.z(), -1, 1e-14);
   EXPECT_EQ(passes.wall().energy, 0);
-  Flight flight = fly(rigid_cube(0, 1) + wall, {0.3, 0, -1}, 1e-5);
+  WallFlight flight = fly(rigid_cube(0, 1) + wall, {0.3, 0, -1}, 1e-5);
   double deepest = 0, most = 0;
   while (flight.stepper.state().time < 0.01) {
     run(flight, 1);
@@ -44,7 +44,7 @@ TEST(WallPenalty, RigidCubeBounces) {
 
 // Two scales multiply the stiffness: force over √.
 TEST(WallPenalty, Scales) {
-  Flight flight = fly(rigid_cube(0, 2) + "*RIGIDWALL_PLANAR\n0,0,0,0,0,0,8.\n0,0,0,0,0,1\n", {0, 0, -1}, 1e-5);
+  WallFlight flight = fly(rigid_cube(0, 2) + "*RIGIDWALL_PLANAR\n0,0,0,0,0,0,8.\n0,0,0,0,0,1\n", {0, 0, -1}, 1e-5);
   double most = 0;
   for (int i = 0; i < 500; ++i) {
     run(flight, 1);
@@ -56,7 +56,7 @@ TEST(WallPenalty, Scales) {
 // A cube slides on the wall under its weight: it comes to rest after v²/2 μ g and stays.
 TEST(WallPenalty, SlidesToRest) {
   constexpr double speed = 0.2, mu = 0.25, weight = 0.08;  // on each of the 8 nodes 0.01
-  Flight flight =
+  WallFlight flight =
       fly(rigid_cube(-weight / 4 / spring, 1) + "*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1,0.25\n", {speed, 0, 0}, 2e-5);
   flight.stepper.add(std::make_unique<SteadyPush>(Vector(0, 0, -0.01)));
   const double stop = speed / (mu * weight / mass), way = speed * stop / 2;
@@ -72,13 +72,13 @@ TEST(WallPenalty, AllNodesAndAWallWithAMass) {
   std::string deck = rigid_cube(0, -1);
   const std::string rigid = "*MAT_RIGID\n1,4.,300000.,0.\n";
   deck.replace(deck.find(rigid), rigid.size(), "*MAT_ELASTIC\n1,4.,300000.,0.\n");
-  Flight soft = fly(deck + "*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1\n", {0, 0, -1}, 1e-5);
+  WallFlight soft = fly(deck + "*RIGIDWALL_PLANAR\n0\n0,0,0,0,0,1\n", {0, 0, -1}, 1e-5);
   run(soft, 1000);
   double mean = 0;
   for (const Vector& v : soft.stepper.state().v) mean += v.z() / 8;
   EXPECT_GT(mean, 0.9);
   EXPECT_NEAR(soft.stepper.energies().ratio(), 1, 1e-6);
-  Flight moving = fly(rigid_cube(0, 1) + "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,0,0,0,1\n0.004,0.\n", {0, 0, -1}, 1e-5);
+  WallFlight moving = fly(rigid_cube(0, 1) + "*RIGIDWALL_PLANAR_MOVING\n0\n0,0,0,0,0,1\n0.004,0.\n", {0, 0, -1}, 1e-5);
   run(moving, 1000);
   EXPECT_NEAR(moving.stepper.state().bodies[0].velocity.z(), 0, 1e-3);  // equal masses exchange their velocities
   EXPECT_NEAR(moving.wall().velocity.z(), -1, 1e-3);
