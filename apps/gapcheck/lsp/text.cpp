@@ -91,6 +91,17 @@ std::string_view Text::line(std::uint32_t number) const {
   return found;
 }
 
+std::string_view Text::line_end(std::uint32_t number) const {
+  for (number = std::min(number, newlines_);; --number) {
+    const Spot at = start_of(number);
+    std::size_t next = 0;
+    const std::string_view bytes = pieces_.empty() ? std::string_view() : pieces_[at.piece]->bytes;
+    if (at.offset < bytes.size()) static_cast<void>(next_line(bytes, at.offset, next));
+    if (next > 0 && bytes[next - 1] == '\n') return bytes.substr(0, next).ends_with("\r\n") ? "\r\n" : "\n";
+    if (number == 0) return "\n";
+  }
+}
+
 Text::Spot Text::spot(Place place) const {
   if (pieces_.empty()) return {};
   if (place.line > newlines_) return {pieces_.size() - 1, pieces_.back()->bytes.size()};

@@ -41,6 +41,8 @@ class Text {
   [[nodiscard]] std::size_t size() const { return size_; }
   /// Without its line end; empty where there is no such line. Valid as long as a text with this piece.
   [[nodiscard]] std::string_view line(std::uint32_t number) const;
+  /// How a line ends, "\n" or "\r\n"; where it has no end, as the line before it.
+  [[nodiscard]] std::string_view line_end(std::uint32_t number) const;
   /// The text with [begin, end) replaced; places behind the end of their line or of the text mean these ends.
   [[nodiscard]] Text edited(Place begin, Place end, std::string_view replacement) const;
   [[nodiscard]] std::string bytes() const;

@@ -302,6 +302,35 @@ TEST_F(LspFeatures, CodeActions) {
   EXPECT_EQ(contact[2]["command"]["command"], "gapcheck.fix");
 }
 
+/// What code actions add are whole lines that end as those of the text do, also behind a last line without an end.
+TEST_F(LspFeatures, CodeActionsKeepLineEnds) {
+  const std::string cards = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n         0\n         0.1\n";
+  const auto with = [](std::string text, std::string_view line_end) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + line_end.size()))
+      text.replace(at, 1, line_end);
+    return text;
+  };
+  const auto edited = [&](const std::string& text, std::size_t action) {
+    Document& document = workspace_.open(uri("new.k"), 1, text);
+    const std::vector<LineFinding> findings{{1, Severity::warning, "GC101", "deep", 4}};
+    const json actions = ask(document, [&](const Question& q) { return code_actions(q, findings, 1, 2); });
+    const json& edit = actions[action]["edit"]["changes"][document.uri][0];
+    Place begin, end;
+    EXPECT_TRUE(read_place(edit["range"]["start"], *document.text, Encoding::utf16, begin));
+    EXPECT_TRUE(read_place(edit["range"]["end"], *document.text, Encoding::utf16, end));
+    return document.text->edited(begin, end, edit["newText"].get<std::string>()).bytes();
+  };
+  const std::string whole = edited(cards, 0);
+  EXPECT_TRUE(whole.starts_with(cards + "$#    sfsa")) << whole;
+  EXPECT_TRUE(whole.ends_with("\n\n")) << whole;
+  const std::string open_end = cards.substr(0, cards.size() - 1);
+  EXPECT_EQ(edited(open_end, 0), whole.substr(0, whole.size() - 1)) << "without the last line end";
+  for (const std::size_t action : {0U, 1U}) {
+    EXPECT_EQ(edited(with(cards, "\r\n"), action), with(edited(cards, action), "\r\n")) << action;
+    EXPECT_EQ(edited(with(open_end, "\r\n"), action), with(edited(open_end, action), "\r\n")) << action;
+  }
+}
+
 TEST_F(LspFeatures, ParametersOfAnEditorThatHasNotSaved) {
   const std::string text = std::string(main_text).replace(std::string(main_text).find("0.5"), 3, "0.7");
   Workspace::set_text(*main_, Text(text));

@@ -33,6 +33,16 @@ TEST(LspText, Lines) {
   EXPECT_EQ(Text("a\n").lines(), 2U);
 }
 
+TEST(LspText, LineEnds) {
+  EXPECT_EQ(Text("a\r\nb\nc").line_end(0), "\r\n");
+  EXPECT_EQ(Text("a\r\nb\nc").line_end(1), "\n");
+  EXPECT_EQ(Text("a\r\nb\nc").line_end(2), "\n");
+  EXPECT_EQ(Text("a\r\n").line_end(1), "\r\n");
+  EXPECT_EQ(Text("a\r\n").line_end(99), "\r\n");
+  EXPECT_EQ(Text("a").line_end(0), "\n");
+  EXPECT_EQ(Text().line_end(0), "\n");
+}
+
 TEST(LspText, AnEditSharesWhatItDoesNotTouch) {
   std::string bytes;
   for (int i = 0; i < 20'000; ++i) bytes += "$ a line of a text that has several pieces\n";

@@ -20,8 +20,19 @@ json edit_action(const Question& question, std::string title, const char* kind, 
           {"edit", {{"changes", {{uri_of(question.file().path), json::array({std::move(edit)})}}}}}};
 }
 
-json insertion(std::uint32_t line, std::string text) {
-  return {{"range", lines_range(line, line)}, {"newText", std::move(text)}};
+/// Puts whole lines in front of a line, or at the end of the text, with the line ends that the text has there.
+json insertion(const Question& question, std::uint32_t line, std::string_view lines) {
+  const Text& text = question.text();
+  const std::string_view line_end = text.line_end(line > 0 ? line - 1 : 0);
+  std::string added;
+  for (const char c : lines) c == '\n' ? added += line_end : added += c;
+  if (line < text.lines()) return {{"range", lines_range(line, line)}, {"newText", std::move(added)}};
+  // The last line has no end: it gets one, and the last of the new ones has none.
+  const std::uint32_t last = text.lines() - 1;
+  const std::size_t size = text.line(last).size();
+  added.resize(added.size() - line_end.size());
+  return {{"range", range_in(text.line(last), last, size, size, question.encoding)},
+          {"newText", std::string(line_end) + added}};
 }
 
 /// The conditions of an ignore comment that fit a finding and little else.
@@ -40,7 +51,7 @@ std::string conditions(const LineFinding& finding) {
 json ignore_action(const Question& question, const LineFinding& finding) {
   const std::string comment = fmt::format("$ gapcheck: ignore {}{} because ", finding.code, conditions(finding));
   return edit_action(question, fmt::format("Ignore this {} with a comment", finding.code), "quickfix",
-                     insertion(finding.line, comment + "\n"));
+                     insertion(question, finding.line, comment + "\n"));
 }
 
 /// The nearest known name in place of an unknown one, with its option words and the sign of its format.
@@ -88,7 +99,7 @@ void add_missing_cards(const Question& question, const Keyword& keyword, json& a
     text += "\n\n";
   }
   actions.push_back(edit_action(question, fmt::format("Add the missing cards of *{}, blank", keyword.name), "quickfix",
-                                insertion(last + 1, text)));
+                                insertion(question, last + 1, text)));
 }
 
 }  // namespace
