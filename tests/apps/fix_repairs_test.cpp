@@ -55,6 +55,30 @@ TEST_F(FixRepairs, SegmentsAreMovedToo) {
   }
 }
 
+// A fix of SARIF puts texts in as they are: with the line ends of the deck.
+TEST_F(FixRepairs, SarifKeepsLineEnds) {
+  std::string deck;
+  for (const char c : content(folder_ / "data/two_plates.k")) c == '\n' ? deck += "\r\n" : deck += c;
+  file("deck.k", deck);
+  const Json log = Json::parse(gapcheck("fix deck.k --plan --format sarif").out);
+  std::size_t added = 0;
+  for (const Json& fix : log["runs"][0]["results"][0]["fixes"]) {
+    std::string fixed = deck;
+    const Json& replacements = fix["artifactChanges"][0]["replacements"];
+    for (auto each = replacements.rbegin(); each != replacements.rend(); ++each) {
+      std::size_t begin = 0;
+      for (int line = (*each)["deletedRegion"]["startLine"]; line > 1; --line) begin = fixed.find('\n', begin) + 1;
+      const std::string text = (*each)["insertedContent"]["text"];
+      fixed.replace(begin, fixed.find("\r\n", begin) - begin, text);
+      added += text.find('\n') != std::string::npos ? 1 : 0;
+    }
+    const std::string words = fix["description"]["text"];
+    static_cast<void>(gapcheck("fix deck.k --apply " + words.substr(0, words.find(':')) + " -o out --quiet"));
+    EXPECT_EQ(fixed, content(folder_ / "out/deck.k")) << words;
+  }
+  EXPECT_GE(added, 4U) << "lines that replace one line";
+}
+
 // Each repair of the plan, applied, leaves what the plan says.
 TEST_F(FixRepairs, EveryRepairDoesWhatThePlanSays) {
   for (const char* name : {"two_plates", "include_parameter", "thickness_sst", "solid_on_solid"}) {

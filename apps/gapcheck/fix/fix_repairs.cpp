@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -45,15 +46,38 @@ Status write_report(const FixArguments& arguments, const std::string& text) {
   return output.close();
 }
 
-std::string text_of(const RepairPlan& plan, const FixArguments& arguments) {
-  if (arguments.format == "sarif") return report::plan_sarif(plan, version());
+/// True if a line of a file ends with CR LF. A last line without an end is as the others.
+bool ends_with_return(std::string_view bytes, std::uint32_t number) {
+  const std::string_view line = keyword::LineIndex(bytes).line(number);
+  if (line.data() == nullptr) return false;
+  const std::string_view behind = bytes.substr(static_cast<std::size_t>(line.data() - bytes.data()) + line.size());
+  return behind.starts_with('\r') || (behind.empty() && bytes.find("\r\n") != std::string_view::npos);
+}
+
+/// Gives the lines that a repair adds the line ends that `--apply` would write: who reads SARIF puts texts in as they
+/// are.
+void take_line_ends(const keyword::Deck& deck, RepairLine& line) {
+  std::string& text = line.after;
+  const auto file = std::ranges::find(deck.files(), line.file, &keyword::SourceFile::path);
+  if (text.find('\n') == std::string::npos || file == deck.files().end()) return;
+  if (!ends_with_return(file->bytes, line.line)) return;
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2)) text.insert(at, 1, '\r');
+}
+
+std::string text_of(const keyword::Deck& deck, RepairPlan& plan, const FixArguments& arguments) {
+  if (arguments.format == "sarif") {
+    for (RepairPair& pair : plan.pairs)
+      for (Repair& repair : pair.repairs)
+        for (RepairLine& line : repair.lines) take_line_ends(deck, line);
+    return report::plan_sarif(plan, version());
+  }
   return arguments.format == "json" ? report::plan_json(plan) : report::plan_text(plan, arguments.text);
 }
 
 int plan(const keyword::Deck& deck, const FixArguments& arguments, RepairPlan& plan) {
   plan.input = arguments.deck;
   Status status = check_fix_report(deck, arguments, {});
-  if (status.ok()) status = write_report(arguments, text_of(plan, arguments));
+  if (status.ok()) status = write_report(arguments, text_of(deck, plan, arguments));
   if (!status.ok()) {
     print(status.error());
     return failed;
