@@ -48,6 +48,26 @@ std::optional<std::uint32_t> hex_code(std::string_view text, std::size_t at) {
   return error == std::errc{} && stop == end ? std::optional(code) : std::nullopt;
 }
 
+/// What "\u" and four digits stand for; nothing where there are none.
+std::optional<std::uint32_t> escape_at(std::string_view text, std::size_t at) {
+  const bool begins = at + 1 < text.size() && text[at] == '\\' && text[at + 1] == 'u';
+  return begins ? hex_code(text, at + 2) : std::nullopt;
+}
+
+void replace_half_characters(std::string& bytes) {
+  for (std::size_t at = bytes.find('\\'); at < bytes.size(); at = bytes.find('\\', at)) {
+    const auto code = escape_at(bytes, at), next = escape_at(bytes, at + 6);
+    if (!code || *code < 0xD800 || *code > 0xDFFF) {
+      at += 2;
+    } else if (*code < 0xDC00 && next && *next >= 0xDC00 && *next <= 0xDFFF) {
+      at += 12;
+    } else {
+      bytes.replace(at + 2, 4, "fffd");
+      at += 6;
+    }
+  }
+}
+
 /// The character that an escape stands for, appended; `at` is behind the backslash and moves behind the escape.
 bool append_escape(std::string_view raw, std::size_t& at, std::string& text) {
   constexpr std::string_view letters = "\"\\/bfnrt", meant = "\"\\/\b\f\n\r\t";
@@ -59,13 +79,11 @@ bool append_escape(std::string_view raw, std::size_t& at, std::string& text) {
   auto code = raw[at] == 'u' ? hex_code(raw, at + 1) : std::nullopt;
   if (!code) return false;
   at += 5;
-  if (*code >= 0xD800 && *code < 0xDC00 && raw.substr(at).starts_with("\\u")) {
-    const auto low = hex_code(raw, at + 2);
-    if (!low || *low < 0xDC00 || *low > 0xDFFF) return false;
+  // Both halves are there: others have been replaced.
+  if (const auto low = escape_at(raw, at); low && *code >= 0xD800 && *code < 0xDC00) {
     code = 0x10000 + ((*code - 0xD800) << 10) + (*low - 0xDC00);
     at += 6;
   }
-  if (*code >= 0xD800 && *code <= 0xDFFF) return false;
   append_utf8(*code, text);
   return true;
 }
@@ -97,7 +115,9 @@ const std::string& Message::text(const json& member) const {
   return number < long_texts.size() ? long_texts[number] : text;
 }
 
-Message read_message(std::string_view bytes) {
+Message read_message(std::string text) {
+  replace_half_characters(text);
+  const std::string_view bytes = text;
   Message message;
   std::string rest;
   std::size_t depth = 0;
@@ -115,11 +135,11 @@ Message read_message(std::string_view bytes) {
     const std::size_t end = end_of_string(bytes, at + 1);
     if (end == std::string_view::npos) return wrong("a text without its last quote");
     if (end - at > long_text) {
-      auto text = unescaped(bytes.substr(at + 1, end - at - 1));
-      if (!text) return wrong("a text with an escape that JSON does not have");
+      auto meant = unescaped(bytes.substr(at + 1, end - at - 1));
+      if (!meant) return wrong("a text with an escape that JSON does not have");
       rest += bytes.substr(kept, at - kept);
       rest += fmt::format("\"\\u0001{}{}\"", placeholder.substr(1), message.long_texts.size());
-      message.long_texts.push_back(std::move(*text));
+      message.long_texts.push_back(std::move(*meant));
       kept = end + 1;
     }
     at = end;

@@ -21,6 +21,7 @@ struct Message {
 };
 
 /// Reads a message; anything may be in the bytes. Texts of a megabyte and more are taken out before the rest is parsed.
-[[nodiscard]] Message read_message(std::string_view bytes);
+/// Half a character of UTF-16, "\ud800" without the other half, is read as U+FFFD: in the editor both are one unit.
+[[nodiscard]] Message read_message(std::string bytes);
 
 }  // namespace gapcheck::app::lsp

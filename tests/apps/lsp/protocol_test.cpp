@@ -70,7 +70,7 @@ TEST(LspMessage, WhatIsNoMessage) {
   const std::string many(1'100'000, 'x');
   for (const std::string& text :
        {std::string("{"), std::string("\"a"), std::string("{\"a\": \"\xff\"}"), std::string(), "[\"" + many + "\\q\"]",
-        "[\"" + many + "\\ud83d\"]", "[\"" + many + "\\u12\"]", "[\"" + many})
+        "[\"" + many + "\\u12\"]", "[\"" + many})
     EXPECT_TRUE(read_message(text).value.is_discarded()) << text.substr(0, 20);
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_FALSE(read_message(nested(deepest_nesting)).value.is_discarded());
@@ -78,6 +78,22 @@ TEST(LspMessage, WhatIsNoMessage) {
   EXPECT_TRUE(read_message(std::string(5'000'000, '[')).value.is_discarded());
   // Brackets in texts are no nesting.
   EXPECT_FALSE(read_message('"' + std::string(1000, '[') + '"').value.is_discarded());
+}
+
+/// An editor that cuts a character in two sends its halves; each has one unit of UTF-16, and so has what is read.
+TEST(LspMessage, HalfCharactersKeepTheirLength) {
+  const auto read = [](const std::string& raw) {
+    const Message message = read_message("[\"" + raw + "\"]");
+    return message.value.is_discarded() ? message.wrong : message.text(message.value[0]);
+  };
+  const std::string half = "\xef\xbf\xbd", whole = "\xf0\x9f\x98\x80";
+  for (const std::string& many : {std::string(), std::string(1'100'000, 'x')}) {
+    EXPECT_TRUE(read(many + R"(a\ud83db)") == many + "a" + half + "b");
+    EXPECT_TRUE(read(many + R"(\uDE00)") == many + half);
+    EXPECT_TRUE(read(many + R"(\ud83d\ud83d\ude00\ude00)") == many + half + whole + half);
+    EXPECT_TRUE(read(many + R"(\\ud83d)") == many + R"(\ud83d)") << "no escape";
+    EXPECT_TRUE(read(many + R"(\ud83d\n)") == many + half + "\n");
+  }
 }
 
 TEST(LspPosition, UnitsOfUtf16AndUtf8) {
