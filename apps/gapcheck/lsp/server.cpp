@@ -10,9 +10,15 @@
 namespace gapcheck::app::lsp {
 namespace {
 
-constexpr std::size_t most_cancelled = 1000;
+/// What JSON-RPC takes for the id of a request.
+bool is_id(const json& id) { return id.is_string() || id.is_number() || id.is_null(); }
 
-bool is_id(const json& id) { return id.is_string() || id.is_number_integer(); }
+/// nullptr: a message without an id, which is a notification.
+const json* id_of(const json& message) {
+  if (!message.is_object()) return nullptr;
+  const auto found = message.find("id");
+  return found == message.end() ? nullptr : &*found;
+}
 
 std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
@@ -80,39 +86,50 @@ bool Server::read_one(FrameReader& frames) {
     });
     return !last;
   }
-  const auto message = std::make_shared<Message>(read_message(frame.text));
-  frame = {};
+  const auto message = std::make_shared<Message>(read_message(std::move(frame.text)));
   const std::string& method = text_of(member(message->value, {"method"}));
-  if (method == "$/cancelRequest") {
-    const std::lock_guard lock(mutex_);
-    if (cancelled_.size() >= most_cancelled) cancelled_.clear();
-    if (const json& id = member(message->value, {"params", "id"}); is_id(id)) cancelled_.insert(dumped(id));
+  const json* const id = id_of(message->value);
+  // Requests of these names are answered with an error and do nothing.
+  if (method == "$/cancelRequest" && id == nullptr) {
+    cancel(member(message->value, {"params", "id"}));
     return true;
   }
-  // A request of that name is answered with an error and ends nothing.
-  const bool last = method == "exit" && !is_id(member(message->value, {"id"}));
+  const bool last = method == "exit" && id == nullptr;
+  if (id != nullptr && is_id(*id) && !method.empty()) {
+    const std::lock_guard lock(mutex_);
+    waiting_[dumped(*id)] = false;
+  }
   inbox_.post([this, message] { take(*message); }, true);
   return !last;
 }
 
+/// What is answered already is not cancelled: the client may give its id to another request.
+void Server::cancel(const json& id) {
+  const std::lock_guard lock(mutex_);
+  if (const auto waits = waiting_.find(dumped(id)); waits != waiting_.end()) waits->second = true;
+}
+
 bool Server::cancelled(const json& id) {
   const std::lock_guard lock(mutex_);
-  return cancelled_.erase(dumped(id)) > 0;
+  const auto request = waiting_.extract(dumped(id));
+  return !request.empty() && request.mapped();
 }
 
 void Server::take(const Message& message) {
   if (code_) return;
-  const json& id = member(message.value, {"id"});
-  const json& method = member(message.value, {"method"});
   if (message.value.is_discarded()) return answer(nullptr, Failure{Failure::parse_error, message.wrong});
+  const json* const given = id_of(message.value);
+  const bool request = given != nullptr;
+  const json id = request ? *given : json();
+  const json& method = member(message.value, {"method"});
+  if (!is_id(id)) return answer(nullptr, Failure{Failure::invalid_request, "an id is a number, a text or null"});
   if (!method.is_string()) {
     // What the client says about a request of the server.
-    const bool response = is_id(id) && message.value.is_object() && !message.value.contains("method");
-    if (response) return;
-    return answer(is_id(id) ? id : json(), Failure{Failure::invalid_request, "the message names no method"});
+    if (request && !message.value.contains("method")) return;
+    return answer(id, Failure{Failure::invalid_request, "the message names no method"});
   }
   const std::string& name = text_of(method);
-  const bool request = is_id(id);
+  const bool is_cancelled = request && cancelled(id);
   const auto found = methods().find(name);
   if (found == methods().end()) {
     // Others of the optional ones may be ignored.
@@ -131,7 +148,7 @@ void Server::take(const Message& message) {
     if (request) answer(id, Failure{Failure::invalid_request, "the client has said shutdown"});
     return;
   }
-  if (request && cancelled(id)) return answer(id, Failure{Failure::request_cancelled, "cancelled"});
+  if (is_cancelled) return answer(id, Failure{Failure::request_cancelled, "cancelled"});
   try {
     const Answer result = (this->*found->second.handle)(member(message.value, {"params"}), message);
     if (request) answer(id, result);

@@ -61,6 +61,7 @@ class Server {
   void answer(const json& id, const Answer& answer);
   void notify(const char* method, json params);
   void write(const json& message);
+  void cancel(const json& id);
   [[nodiscard]] bool cancelled(const json& id);
 
   // Lifecycle
@@ -111,7 +112,7 @@ class Server {
   std::set<std::string> audits_running_;  ///< main files of decks that are audited or wait for it
   std::int64_t requests_ = 0;             ///< of the server to the client
   std::mutex mutex_;
-  std::set<std::string> cancelled_;  ///< ids of requests, as JSON
+  std::map<std::string, bool> waiting_;  ///< requests by their id as JSON, and whether they are cancelled
   Inbox inbox_;
   MainDecks main_decks_;  ///< of the thread of `reader_` alone
   Worker reader_, auditor_, fixer_;

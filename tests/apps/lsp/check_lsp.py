@@ -138,9 +138,11 @@ def check_lifecycle(folder):
     assert client.ask("no/such")["error"]["code"] == -32601
     client.notify("$/no/such")
     client.notify("no/such")
-    # A request that is cancelled while it waits has no result.
-    client.send_bytes(frame({"jsonrpc": "2.0", "method": "$/cancelRequest", "params": {"id": "later"}}) +
-                      frame({"jsonrpc": "2.0", "id": "later", "method": "textDocument/hover", "params": {}}))
+    # A request that is cancelled while it waits, here for a large text, has no result.
+    opened = {"uri": uri_of(client.path("large.k")), "version": 1, "text": "*NODE\n" + "       1\n" * 2_000_000}
+    client.send_bytes(frame({"jsonrpc": "2.0", "method": "textDocument/didOpen", "params": {"textDocument": opened}}) +
+                      frame({"jsonrpc": "2.0", "id": "later", "method": "textDocument/hover", "params": {}}) +
+                      frame({"jsonrpc": "2.0", "method": "$/cancelRequest", "params": {"id": "later"}}))
     assert client.wait(lambda m: m.get("id") == "later")["error"]["code"] == -32800
     client.request("shutdown")
     assert client.ask("textDocument/hover")["error"]["code"] == -32600
