@@ -108,11 +108,10 @@ std::chrono::sys_days today() {
   return std::chrono::year(local.tm_year + 1900) / (local.tm_mon + 1) / local.tm_mday;
 }
 
-/// Fills in what the settings file says. False: there are faults, which have been printed.
-bool use_settings_of(const std::string& deck, AuditArguments& arguments, CLI::App& command) {
-  Failures failures(print);
-  arguments.settings = use_settings(arguments.settings_file, deck, true, command, failures);
-  if (failures.any()) return false;
+/// Fills in what the settings file says, unless there are faults in it.
+void use_settings_of(const std::string& deck, AuditArguments& arguments, CLI::App& command, Diagnostics& faults) {
+  arguments.settings = use_settings(arguments.settings_file, deck, true, command, faults);
+  if (faults.has_errors()) return;
   arguments.audit.severities = arguments.settings.severities;
   arguments.audit.thresholds = arguments.settings.thresholds;
   arguments.audit.today = today();
@@ -121,8 +120,7 @@ bool use_settings_of(const std::string& deck, AuditArguments& arguments, CLI::Ap
   if (as_if)
     arguments.audit.as_if = std::move(as_if).value();
   else
-    failures.add(as_if.error());
-  return !failures.any();
+    faults.add(as_if.error());
 }
 
 void add_options(CLI::App& command, AuditArguments& arguments) {
@@ -137,12 +135,13 @@ void add_options(CLI::App& command, AuditArguments& arguments) {
 
 }  // namespace
 
-audit::AuditOptions audit_options_of(const std::string& deck, const AuditArguments& given) {
+audit::AuditOptions audit_options_of(const std::string& deck, const AuditArguments& given, Diagnostics& faults) {
   CLI::App command;
   AuditArguments arguments;
   add_options(command, arguments);
   arguments.settings_file = given.settings_file;
-  if (!use_settings_of(deck, arguments, command)) {
+  use_settings_of(deck, arguments, command, faults);
+  if (faults.has_errors()) {
     arguments = AuditArguments();
     arguments.audit.today = today();
   }
@@ -172,7 +171,10 @@ void add_audit(CLI::App& app, Action& action) {
       if (!shard->empty()) arguments->shard = read_shard(*shard).value_or(Shard());
       arguments->selection = selects(arguments->audit);
       arguments->baseline.by_settings = arguments->baseline.compare.empty();
-      if (!use_settings_of(arguments->decks.front(), *arguments, *command)) return static_cast<int>(failed);
+      Diagnostics faults;
+      use_settings_of(arguments->decks.front(), *arguments, *command, faults);
+      print(faults, false);
+      if (faults.has_errors()) return static_cast<int>(failed);
       arguments->audit.scene = !arguments->output.html.empty();
       arguments->audit.mesh = !arguments->exports.vtu.empty();
       arguments->audit.members = !arguments->exports.sets.empty();

@@ -35,8 +35,9 @@ struct AuditArguments {
 [[nodiscard]] bool selects(const audit::AuditOptions& audit);
 
 /// The options with which one deck is audited for an editor: those of its settings file and of `given`, which has the
-/// settings file and how includes are read. Faults in the settings go to standard error, and none of them is used then.
-[[nodiscard]] audit::AuditOptions audit_options_of(const std::string& deck, const AuditArguments& given);
+/// settings file and how includes are read. `faults` in the settings: then none of them is used.
+[[nodiscard]] audit::AuditOptions audit_options_of(const std::string& deck, const AuditArguments& given,
+                                                   Diagnostics& faults);
 
 /// Audits the decks one after the other, of a shard only its own, and writes the requested output; the exit code. Files
 /// that hold one deck's results have {deck} in their name if there are several.

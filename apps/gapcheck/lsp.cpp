@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <utility>
 
 #include "audit_decks.hpp"
 #include "base/parallel.hpp"
@@ -26,7 +27,11 @@ void add_lsp(CLI::App& app, Action& action) {
   command->callback([&action, arguments, stdio] {
     action = [arguments] {
       const JobLimit limit(arguments->jobs);
-      const auto options = [arguments](const std::string& deck) { return audit_options_of(deck, *arguments); };
+      const auto options = [arguments](const std::string& deck) {
+        Diagnostics faults;
+        audit::AuditOptions audit = audit_options_of(deck, *arguments, faults);
+        return lsp::DeckOptions{std::move(audit), faults.sorted()};
+      };
       auto* server = new lsp::Server(STDIN_FILENO, STDOUT_FILENO, options, version_line("gapcheck"));
       // Threads may still read a deck; nothing that they do is left half done.
       std::_Exit(server->run());

@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "audit/fix/fix.hpp"
+#include "keyword/write_back.hpp"
 #include "lsp/uri.hpp"
 #include "report/item/item.hpp"
 
@@ -113,15 +114,17 @@ std::shared_ptr<const keyword::Deck> deck_for_editor(const std::string& deck, ke
   }
 }
 
-std::optional<Audited> audit_for_editor(const std::string& deck, audit::AuditOptions options,
+std::optional<Audited> audit_for_editor(const std::string& deck, const OptionsOf& options_of,
                                         const std::function<bool()>& go_on) {
   const auto start = std::chrono::steady_clock::now();
   Collector collector(canonical(deck));
   Diagnostics diagnostics;
-  options.watch = [&go_on](const audit::AuditStep&) { return go_on(); };
   std::string summary;
   try {
-    const auto report = audit::audit_deck(deck, options, diagnostics);
+    DeckOptions options = options_of(deck);
+    for (const Diagnostic& fault : options.faults) collector.add(fault);
+    options.audit.watch = [&go_on](const audit::AuditStep&) { return go_on(); };
+    const auto report = audit::audit_deck(deck, options.audit, diagnostics);
     if (!go_on()) return std::nullopt;
     if (report) {
       collector.add(report.value());
@@ -139,9 +142,11 @@ std::optional<Audited> audit_for_editor(const std::string& deck, audit::AuditOpt
   return std::move(collector).finish(std::move(summary));
 }
 
-Result<FixedLines> fix_for_editor(const std::string& deck, const keyword::ReadOptions& read) {
+Result<FixedLines> fix_for_editor(const std::string& deck, const OptionsOf& options_of) try {
+  const DeckOptions given = options_of(deck);
+  if (!given.faults.empty()) return given.faults.front();
   Diagnostics diagnostics;
-  const auto input = keyword::read_deck(deck, read, diagnostics);
+  const auto input = keyword::read_deck(deck, given.audit.read, diagnostics);
   if (!input) return input.error();
   for (const Diagnostic& said : diagnostics.sorted())
     if (said.severity == Severity::error) return said;
@@ -151,12 +156,17 @@ Result<FixedLines> fix_for_editor(const std::string& deck, const keyword::ReadOp
   if (!fix) return fix.error();
   FixedLines lines;
   std::size_t count = 0;
-  for (const audit::ChangedLines& file : fix.value().files) {
-    lines.edits[canonical(input.value().file(file.file).path)] = file.edits;
-    count += file.edits.size();
+  for (const audit::ChangedLines& changed : fix.value().files) {
+    const keyword::SourceFile& file = input.value().file(changed.file);
+    const keyword::LineIndex index(file.bytes);
+    for (const keyword::LineEdit& edit : changed.edits)
+      lines.edits[canonical(file.path)].push_back({edit.line - 1, std::string(index.line(edit.line)), edit.text});
+    count += changed.edits.size();
   }
   lines.summary = fmt::format("{}: {} lines of nodes change", deck, count);
   return lines;
+} catch (const std::exception& error) {  // too little memory
+  return Diagnostic{Severity::error, deck, 0, error.what()};
 }
 
 }  // namespace gapcheck::app::lsp

@@ -9,7 +9,6 @@
 
 #include "audit/audit.hpp"
 #include "base/result.hpp"
-#include "keyword/write_back.hpp"
 #include "lsp/features/features.hpp"
 
 namespace gapcheck::app::lsp {
@@ -24,6 +23,13 @@ namespace gapcheck::app::lsp {
 /// Whether a keyword is one of these.
 [[nodiscard]] bool is_structure(const Keyword& keyword);
 
+/// How a deck is read and audited, and what is wrong with its settings file: then none of that is used.
+struct DeckOptions {
+  audit::AuditOptions audit;
+  std::vector<Diagnostic> faults;
+};
+using OptionsOf = std::function<DeckOptions(const std::string& deck)>;
+
 /// What an audit found.
 struct Audited {
   std::map<std::string, std::vector<LineFinding>> findings;  ///< by canonical path
@@ -35,17 +41,22 @@ inline constexpr std::size_t most_of_a_rule = 100;
 /// Most findings of one file.
 inline constexpr std::size_t most_of_a_file = 1000;
 
-/// Audits the deck on disk. An audit that cannot be made is a finding in the first line of `deck`. Nothing: `go_on`
-/// said no.
-[[nodiscard]] std::optional<Audited> audit_for_editor(const std::string& deck, audit::AuditOptions options,
+/// Audits the deck on disk. An audit that cannot be made is a finding in the first line of `deck`; faults of the
+/// settings are findings in their lines. Nothing: `go_on` said no.
+[[nodiscard]] std::optional<Audited> audit_for_editor(const std::string& deck, const OptionsOf& options_of,
                                                       const std::function<bool()>& go_on);
 
-/// The lines of a deck that `gapcheck fix` changes: by canonical path, numbers from 1.
+/// A line that `gapcheck fix` changes.
+struct FixedLine {
+  std::uint32_t line = 0;  ///< from 0
+  std::string before, after;
+};
+/// Those of a deck on disk.
 struct FixedLines {
-  std::map<std::string, std::vector<keyword::LineEdit>> edits;
+  std::map<std::string, std::vector<FixedLine>> edits;  ///< by canonical path
   std::string summary;
 };
 /// Errors: those of `gapcheck fix`.
-[[nodiscard]] Result<FixedLines> fix_for_editor(const std::string& deck, const keyword::ReadOptions& read);
+[[nodiscard]] Result<FixedLines> fix_for_editor(const std::string& deck, const OptionsOf& options_of);
 
 }  // namespace gapcheck::app::lsp

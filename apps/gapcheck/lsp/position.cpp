@@ -88,6 +88,8 @@ const std::string& text_of(const json& value) {
   return text != nullptr ? *text : none;
 }
 
+bool is_true(const json& value) { return value.is_boolean() && value.get<bool>(); }
+
 std::uint32_t count_of(const json& value, std::uint32_t otherwise) {
   if (!is_count(value)) return otherwise;
   return static_cast<std::uint32_t>(

@@ -33,6 +33,7 @@ enum class Encoding : std::uint8_t { utf16, utf8 };
 [[nodiscard]] const json& member(const json& value, std::initializer_list<const char*> path);
 /// A text; empty for anything else.
 [[nodiscard]] const std::string& text_of(const json& value);
+[[nodiscard]] bool is_true(const json& value);
 /// A whole number from 0 on; `otherwise` for anything else. Larger ones are the largest of 32 bits.
 [[nodiscard]] std::uint32_t count_of(const json& value, std::uint32_t otherwise = 0);
 

@@ -1,5 +1,7 @@
 #include "lsp/server.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
 #include <memory>
 #include <thread>
@@ -27,12 +29,12 @@ std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::
 const std::map<std::string_view, Server::Method>& Server::methods() {
   static const std::map<std::string_view, Method> table{
       {"initialize", {&Server::initialize}},
-      {"initialized", {&Server::ignored, true}},
+      {"initialized", {&Server::initialized, true}},
       {"shutdown", {&Server::shutdown}},
       {"exit", {&Server::end, true}},
       {"$/setTrace", {&Server::ignored, true}},
       {"workspace/didChangeConfiguration", {&Server::ignored, true}},
-      {"workspace/didChangeWatchedFiles", {&Server::ignored, true}},
+      {"workspace/didChangeWatchedFiles", {&Server::did_change_watched_files, true}},
       {"workspace/executeCommand", {&Server::execute}},
       {"textDocument/didOpen", {&Server::did_open, true}},
       {"textDocument/didChange", {&Server::did_change, true}},
@@ -52,7 +54,7 @@ const std::map<std::string_view, Server::Method>& Server::methods() {
   return table;
 }
 
-Server::Server(int in, int out, AuditOptionsOf options, std::string version)
+Server::Server(int in, int out, OptionsOf options, std::string version)
     : in_(in), out_(out), options_(std::move(options)), version_(std::move(version)) {}
 
 int Server::run() {
@@ -170,6 +172,11 @@ void Server::notify(const char* method, json params) {
   write({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
 }
 
+void Server::request(const char* method, json params) {
+  const std::string id = fmt::format("gapcheck-{}", ++requests_);
+  write({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}});
+}
+
 void Server::write(const json& message) {
   if (!write_frame(out_, dumped(message)) && !code_) code_ = 1;
 }
@@ -179,6 +186,7 @@ Answer Server::initialize(const json& params, const Message&) {
   phase_ = Phase::ready;
   for (const json& each : member(params, {"capabilities", "general", "positionEncodings"}))
     if (text_of(each) == "utf-8") encoding_ = Encoding::utf8;
+  watches_ = is_true(member(params, {"capabilities", "workspace", "didChangeWatchedFiles", "dynamicRegistration"}));
   for (const json& each : member(params, {"workspaceFolders"}))
     if (const std::string folder = path_of(text_of(member(each, {"uri"}))); !folder.empty()) folders_.push_back(folder);
   if (folders_.empty())
@@ -197,6 +205,16 @@ Answer Server::initialize(const json& params, const Message&) {
                           {"renameProvider", {{"prepareProvider", true}}},
                           {"executeCommandProvider", {{"commands", {"gapcheck.fix"}}}}};
   return json{{"capabilities", capabilities}, {"serverInfo", {{"name", "gapcheck"}, {"version", version_}}}};
+}
+
+/// Has the client watch settings files: editors do not open them as decks.
+Answer Server::initialized(const json&, const Message&) {
+  if (!watches_) return json();
+  const json watchers{{"watchers", json::array({{{"globPattern", "**/gapcheck.toml"}}})}};
+  request("client/registerCapability", {{"registrations", json::array({{{"id", "settings"},
+                                                                        {"method", "workspace/didChangeWatchedFiles"},
+                                                                        {"registerOptions", watchers}}})}});
+  return json();
 }
 
 Answer Server::ignored(const json&, const Message&) { return json(); }

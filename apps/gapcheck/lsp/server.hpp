@@ -34,14 +34,12 @@ struct Failure {
 };
 using Answer = Result<json, Failure>;
 
-/// How decks are audited: the options of `gapcheck audit` with the settings file of the deck.
-using AuditOptionsOf = std::function<audit::AuditOptions(const std::string& deck)>;
-
 /// A language server on two descriptors. One thread reads messages, one answers them, and three work on decks in the
 /// background: what the decks are, audits, corrections.
 class Server {
  public:
-  Server(int in, int out, AuditOptionsOf options, std::string version);
+  /// `options`: may be asked by several threads at a time.
+  Server(int in, int out, OptionsOf options, std::string version);
   /// Until the client says exit or hangs up; 0 if it said shutdown before, else 1. Afterwards threads may still wait
   /// for the client or work on a deck: the process is to end, and the server is not to be destroyed before.
   [[nodiscard]] int run();
@@ -60,12 +58,14 @@ class Server {
   void take(const Message& message);
   void answer(const json& id, const Answer& answer);
   void notify(const char* method, json params);
+  void request(const char* method, json params);
   void write(const json& message);
   void cancel(const json& id);
   [[nodiscard]] bool cancelled(const json& id);
 
   // Lifecycle
   Answer initialize(const json& params, const Message&);
+  Answer initialized(const json&, const Message&);
   Answer ignored(const json&, const Message&);
   Answer shutdown(const json&, const Message&);
   Answer end(const json&, const Message&);
@@ -74,6 +74,7 @@ class Server {
   Answer did_change(const json& params, const Message& message);
   Answer did_save(const json& params, const Message&);
   Answer did_close(const json& params, const Message&);
+  Answer did_change_watched_files(const json&, const Message&);
   // Features
   template <class Ask>
   Answer ask(const json& params, const Ask& ask);
@@ -100,11 +101,12 @@ class Server {
   void apply_fix(const FixedLines& fixed);
 
   const int in_, out_;
-  const AuditOptionsOf options_;
+  const OptionsOf options_;
   const std::string version_;
   Phase phase_ = Phase::starting;
   std::optional<int> code_;  ///< set: the server ends
   Encoding encoding_ = Encoding::utf16;
+  bool watches_ = false;  ///< the client can watch files
   std::vector<std::string> folders_;
   Workspace workspace_;
   std::set<std::string> decks_wanted_;    ///< files whose deck is to be read

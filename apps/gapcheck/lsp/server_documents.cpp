@@ -75,6 +75,12 @@ Answer Server::did_close(const json& params, const Message&) {
   return json();
 }
 
+/// Of settings: they are read with each audit.
+Answer Server::did_change_watched_files(const json&, const Message&) {
+  for (const std::string& path : workspace_.open_paths()) read_deck(path, true);
+  return json();
+}
+
 void Server::publish(const std::string& path) {
   const Document* document = workspace_.find_path(path);
   json list = json::array();

@@ -40,8 +40,7 @@ Answer Server::definition(const json& params, const Message&) {
 }
 
 Answer Server::references(const json& params, const Message&) {
-  const json& with = member(params, {"context", "includeDeclaration"});
-  const bool all = with.is_boolean() && with.get<bool>();
+  const bool all = is_true(member(params, {"context", "includeDeclaration"}));
   return ask_at(params, [all](const Question& q, Place at) -> Answer { return lsp::references(q, at, all); });
 }
 

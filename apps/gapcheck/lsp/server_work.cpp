@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -18,7 +16,7 @@ void Server::read_deck(const std::string& path, bool audit) {
     for (const std::string& file : wanted) {
       if (!go_on()) return;
       const std::string main = main_decks_.main_of(file, open);
-      auto deck = deck_for_editor(main, options_(main).read, changed);
+      auto deck = deck_for_editor(main, options_(main).audit.read, changed);
       inbox_.post([this, file, main, deck = std::move(deck)] {
         decks_wanted_.erase(file);
         if (deck != nullptr) workspace_.set_deck(main, deck);
@@ -36,7 +34,7 @@ void Server::audit(const std::string& main) {
   audits_running_.insert(main);
   auditor_.start([this, mains](const Worker::GoOn& go_on) {
     for (const std::string& deck : mains) {
-      auto audited = audit_for_editor(deck, options_(deck), go_on);
+      auto audited = audit_for_editor(deck, options_, go_on);
       if (!audited) return;
       inbox_.post([this, deck, result = std::move(*audited)] {
         audits_running_.erase(deck);
@@ -49,7 +47,7 @@ void Server::audit(const std::string& main) {
 
 void Server::fix(const std::string& main) {
   fixer_.start([this, main](const Worker::GoOn& go_on) {
-    auto fixed = fix_for_editor(main, options_(main).read);
+    auto fixed = fix_for_editor(main, options_);
     if (!go_on()) return;
     inbox_.post([this, fixed = std::move(fixed)] {
       if (!fixed)
@@ -64,19 +62,19 @@ void Server::apply_fix(const FixedLines& fixed) {
   json changes = json::object();
   for (const auto& [path, edits] : fixed.edits) {
     const Document* document = workspace_.find_path(path);
-    if (document != nullptr && document->changed) {
+    // Another program may have written the file.
+    const auto other_line = [&](const FixedLine& edit) { return document->text->line(edit.line) != edit.before; };
+    if (document != nullptr && (document->changed || std::ranges::any_of(edits, other_line))) {
       notify("window/showMessage", {{"type", 1}, {"message", "gapcheck fix: " + path + " has changed; save it first"}});
       return;
     }
     json list = json::array();
-    for (const keyword::LineEdit& edit : edits) {
+    for (const FixedLine& edit : edits) {
       constexpr std::uint32_t end_of_line = std::numeric_limits<std::int32_t>::max();
-      const std::uint32_t line = edit.line - 1;
-      const json range = document == nullptr ? json{{"start", {{"line", line}, {"character", 0}}},
-                                                    {"end", {{"line", line}, {"character", end_of_line}}}}
-                                             : range_in(document->text->line(line), line, 0,
-                                                        document->text->line(line).size(), encoding_);
-      list.push_back({{"range", range}, {"newText", edit.text}});
+      json range = lines_range(edit.line, edit.line);
+      range["end"]["character"] = end_of_line;
+      if (document != nullptr) range = range_in(edit.before, edit.line, 0, edit.before.size(), encoding_);
+      list.push_back({{"range", std::move(range)}, {"newText", edit.after}});
     }
     changes[document != nullptr ? document->uri : uri_of(path)] = std::move(list);
   }
@@ -85,10 +83,7 @@ void Server::apply_fix(const FixedLines& fixed) {
     notify("window/showMessage", {{"type", 3}, {"message", "gapcheck fix: no node can be moved"}});
     return;
   }
-  write({{"jsonrpc", "2.0"},
-         {"id", fmt::format("gapcheck-{}", ++requests_)},
-         {"method", "workspace/applyEdit"},
-         {"params", {{"label", "gapcheck fix"}, {"edit", {{"changes", std::move(changes)}}}}}});
+  request("workspace/applyEdit", {{"label", "gapcheck fix"}, {"edit", {{"changes", std::move(changes)}}}});
 }
 
 }  // namespace gapcheck::app::lsp

@@ -92,14 +92,11 @@ std::string find_settings(const std::string& deck) {
 }
 
 Settings use_settings(const SettingsOptions& options, const std::string& deck, bool audit, CLI::App& command,
-                      Failures& failures) {
+                      Diagnostics& diagnostics) {
   if (options.none) return {};
   const std::string path = options.file.empty() ? find_settings(deck) : options.file;
   if (path.empty()) return {};
-  Diagnostics diagnostics;
   Settings settings = read_file(path, diagnostics);
-  print(diagnostics, false);
-  failures.count(diagnostics);
   if (diagnostics.has_errors()) return settings;
   for (const Setting& setting : settings.options) {
     if (!audit && !setting.key->reading) continue;
@@ -107,6 +104,15 @@ Settings use_settings(const SettingsOptions& options, const std::string& deck, b
     // All of them were checked above.
     if (option.count() == 0) static_cast<void>(give(option, setting.values));
   }
+  return settings;
+}
+
+Settings use_settings(const SettingsOptions& options, const std::string& deck, bool audit, CLI::App& command,
+                      Failures& failures) {
+  Diagnostics diagnostics;
+  Settings settings = use_settings(options, deck, audit, command, diagnostics);
+  print(diagnostics, false);
+  failures.count(diagnostics);
   return settings;
 }
 

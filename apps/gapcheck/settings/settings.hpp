@@ -24,7 +24,10 @@ inline constexpr const char* settings_name = "gapcheck.toml";
 [[nodiscard]] std::string find_settings(const std::string& deck);
 
 /// Reads the settings for a deck and fills in the command's options that the command line left open. `audit`: all of
-/// it, otherwise only what concerns reading decks. After failures no option is filled in.
+/// it, otherwise only what concerns reading decks. After errors, which go to `diagnostics`, no option is filled in.
+[[nodiscard]] Settings use_settings(const SettingsOptions& options, const std::string& deck, bool audit,
+                                    CLI::App& command, Diagnostics& diagnostics);
+/// The same with what is wrong printed.
 [[nodiscard]] Settings use_settings(const SettingsOptions& options, const std::string& deck, bool audit,
                                     CLI::App& command, Failures& failures);
 

@@ -173,7 +173,22 @@ def check_settings(folder):
     client.audited()
     client.request("textDocument/hover", client.at("two_plates.k", 0, 0))
     assert "GC101" not in codes(client.found("two_plates.k"))
+    # A broken one is marked itself, and the deck is audited without it.
+    with open(client.path("gapcheck.toml"), "w") as file:
+        file.write('ignore = ["GC1"]\n\nignored = 1\n')
+    client.notify("workspace/didChangeWatchedFiles", {"changes": [{"uri": uri_of(client.path("gapcheck.toml")), "type": 2}]})
+    client.audited()
+    client.request("textDocument/hover", client.at("two_plates.k", 0, 0))
+    (fault,) = client.found("gapcheck.toml")
+    assert fault["range"]["start"]["line"] == 2 and fault["message"].startswith('unknown key "ignored"'), fault
+    assert "GC101" in codes(client.found("two_plates.k"))
+    os.remove(client.path("gapcheck.toml"))
+    client.notify("textDocument/didSave", {"textDocument": client.document("two_plates.k")})
+    client.audited()
+    client.request("textDocument/hover", client.at("two_plates.k", 0, 0))
+    assert client.found("gapcheck.toml") == []
     assert client.stop() == 0
+    assert client.error_text == b"", client.error_text
 
 
 def check_same_as_audit(folder):
