@@ -61,7 +61,8 @@ void take_line_ends(const keyword::Deck& deck, RepairLine& line) {
   const auto file = std::ranges::find(deck.files(), line.file, &keyword::SourceFile::path);
   if (text.find('\n') == std::string::npos || file == deck.files().end()) return;
   if (!ends_with_return(file->bytes, line.line)) return;
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2)) text.insert(at, 1, '\r');
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+    text.insert(at, 1, '\r');
 }
 
 std::string text_of(const keyword::Deck& deck, RepairPlan& plan, const FixArguments& arguments) {

@@ -87,6 +87,10 @@ void MainDecks::look_at(const fs::path& file) {
 }
 
 void MainDecks::scan(const std::vector<std::string>& folders, const std::function<bool()>& go_on) {
+  std::erase_if(files_, [](const auto& file) {
+    std::error_code unknown;
+    return !fs::is_regular_file(file.first, unknown);
+  });
   std::size_t files = 0, entries = 0;
   for (const std::string& folder : folders) {
     std::error_code failed;

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -96,6 +97,13 @@ class Server {
   void publish(const std::string& path);
   /// Finds and reads the deck of a document in the background; then audits it, if that is asked for.
   void read_deck(const std::string& path, bool audit);
+  using Deck = std::shared_ptr<const keyword::Deck>;
+  [[nodiscard]] std::map<std::string, std::set<std::string>> by_deck(const std::set<std::string>& files,
+                                                                     const std::vector<std::string>& folders,
+                                                                     const std::set<std::string>& open,
+                                                                     const Worker::GoOn& go_on);
+  [[nodiscard]] Deck read_deck_file(const std::string& main, const std::map<std::string, std::string>& changed);
+  void take_deck(const std::string& main, const std::set<std::string>& files, const Deck& deck);
   void audit(const std::string& main);
   void fix(const std::string& main);
   void apply_fix(const FixedLines& fixed);

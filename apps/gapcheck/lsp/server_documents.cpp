@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "base/file_bytes.hpp"
@@ -40,7 +42,7 @@ bool Server::apply(const json& change, const Message& message, Document& documen
   const std::size_t keywords = document.outline->size();
   Workspace::set_text(document, document.text->edited(begin, end, replacement));
   const auto added = static_cast<std::uint32_t>(std::count(replacement.begin(), replacement.end(), '\n'));
-  workspace_.move_findings(document, begin.line, end.line, added);
+  workspace_.move_findings(document, begin, end, added);
   const Keyword* const after = keyword_at(*document.outline, begin.line);
   return structure || (after != nullptr && is_structure(*after)) || keywords != document.outline->size();
 }
@@ -70,8 +72,15 @@ Answer Server::did_close(const json& params, const Message&) {
   Document* document = workspace_.find(uri);
   if (document == nullptr) return json();
   const std::string path = document->path;
+  const bool changed = document->changed;
   workspace_.close(uri);
+  // Nothing is found in a file that there is not, such as one that was never saved.
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown))
+    for (const std::string& each : workspace_.set_findings(path, {})) publish(each);
   publish(path);
+  // Its file counts again.
+  if (changed) read_deck(path, false);
   return json();
 }
 

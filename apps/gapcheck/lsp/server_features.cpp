@@ -52,8 +52,11 @@ Answer Server::rename(const json& params, const Message&) {
   const std::string& name = text_of(member(params, {"newName"}));
   const Document* document = workspace_.find(text_of(member(params, {"textDocument", "uri"})));
   // Later on, a deck that is read again for what has changed is good enough: its texts are those of the editor.
-  if (document != nullptr && workspace_.main_of(*document).empty() && decks_wanted_.contains(document->path))
-    return Failure{Failure::request_failed, "the files of the deck are still being read; try again"};
+  if (document != nullptr && workspace_.main_of(*document).empty()) {
+    const bool being_read = decks_wanted_.contains(document->path);
+    return Failure{Failure::request_failed, being_read ? "the files of the deck are still being read; try again"
+                                                       : "the files of the deck cannot be read; save one to try again"};
+  }
   return ask_at(params, [&](const Question& q, Place at) -> Answer {
     auto edits = lsp::rename(q, at, name);
     if (!edits) return Failure{Failure::request_failed, edits.error().message};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -6,24 +7,72 @@
 #include "lsp/uri.hpp"
 
 namespace gapcheck::app::lsp {
+namespace {
+
+bool has_file(const keyword::Deck& deck, const std::string& path) {
+  return std::ranges::any_of(deck.files(),
+                             [&](const keyword::SourceFile& file) { return canonical(file.path) == path; });
+}
+
+}  // namespace
 
 void Server::read_deck(const std::string& path, bool audit) {
   decks_wanted_.insert(path);
   if (audit) audits_wanted_.insert(path);
+  // What has been read when a newer job begins is read again by that one.
   reader_.start([this, wanted = decks_wanted_, folders = folders_, open = workspace_.open_paths(),
                  changed = workspace_.changed_texts()](const Worker::GoOn& go_on) {
-    main_decks_.scan(folders, go_on);
-    for (const std::string& file : wanted) {
-      if (!go_on()) return;
-      const std::string main = main_decks_.main_of(file, open);
-      auto deck = deck_for_editor(main, options_(main).audit.read, changed);
-      inbox_.post([this, file, main, deck = std::move(deck)] {
-        decks_wanted_.erase(file);
-        if (deck != nullptr) workspace_.set_deck(main, deck);
-        if (audits_wanted_.erase(file) > 0) this->audit(main);
+    const auto post = [&](const std::string& main, const std::set<std::string>& files, Deck deck) {
+      inbox_.post([this, go_on, main, files, deck = std::move(deck)] {
+        if (go_on()) take_deck(main, files, deck);
       });
+    };
+    for (auto& [main, files] : by_deck(wanted, folders, open, go_on)) {
+      if (!go_on()) return;
+      const Deck deck = read_deck_file(main, changed);
+      // The editor may have a text of the deck that does not include the file any more.
+      for (const std::string& file : files)
+        if (deck != nullptr && !has_file(*deck, file)) post(file, {}, read_deck_file(file, changed));
+      post(main, files, deck);
     }
   });
+}
+
+/// Main files of decks, and which of the files belong to each.
+std::map<std::string, std::set<std::string>> Server::by_deck(const std::set<std::string>& files,
+                                                             const std::vector<std::string>& folders,
+                                                             const std::set<std::string>& open,
+                                                             const Worker::GoOn& go_on) try {
+  std::map<std::string, std::set<std::string>> decks;
+  main_decks_.scan(folders, go_on);
+  for (const std::string& file : files) decks[main_decks_.main_of(file, open)].insert(file);
+  return decks;
+} catch (const std::exception&) {  // too little memory
+  std::map<std::string, std::set<std::string>> decks;
+  for (const std::string& file : files) decks[file].insert(file);
+  return decks;
+}
+
+/// nullptr: it cannot be read.
+Server::Deck Server::read_deck_file(const std::string& main, const std::map<std::string, std::string>& changed) try {
+  return deck_for_editor(main, options_(main).audit.read, changed);
+} catch (const std::exception&) {  // too little memory
+  return nullptr;
+}
+
+/// Takes a deck that was read for some of its files.
+void Server::take_deck(const std::string& main, const std::set<std::string>& files, const Deck& deck) {
+  bool audits = false;
+  for (const std::string& file : files) {
+    decks_wanted_.erase(file);
+    audits = audits_wanted_.erase(file) > 0 || audits;
+    // What was found when the file still was a deck of its own.
+    if (file != main)
+      for (const std::string& path : workspace_.set_findings(file, {})) publish(path);
+  }
+  for (const std::string& path : workspace_.set_deck(main, deck))
+    if (deck != nullptr && !files.contains(path)) read_deck(path, false);
+  if (audits) audit(main);
 }
 
 void Server::audit(const std::string& main) {
@@ -36,7 +85,8 @@ void Server::audit(const std::string& main) {
     for (const std::string& deck : mains) {
       auto audited = audit_for_editor(deck, options_, go_on);
       if (!audited) return;
-      inbox_.post([this, deck, result = std::move(*audited)] {
+      inbox_.post([this, go_on, deck, result = std::move(*audited)] {
+        if (!go_on()) return;  // a newer job has this deck, too
         audits_running_.erase(deck);
         notify("window/logMessage", {{"type", 3}, {"message", "gapcheck audit " + result.summary}});
         for (const std::string& path : workspace_.set_findings(deck, result)) publish(path);

@@ -42,22 +42,37 @@ void Workspace::set_text(Document& document, Text text) {
   document.faults = document.check.check(*document.text);
 }
 
-void Workspace::move_findings(const Document& document, std::uint32_t begin, std::uint32_t end, std::uint32_t added) {
+void Workspace::move_findings(const Document& document, Place begin, Place end, std::uint32_t added) {
+  // A line whose first character is behind the edit stays whole.
+  const std::uint32_t first_behind = end.byte == 0 ? end.line : end.line + 1;
   for (auto& [main, files] : findings_) {
     const auto found = files.find(document.path);
     if (found == files.end()) continue;
     for (LineFinding& finding : found->second) {
-      if (finding.line > end)
-        finding.line = finding.line - (end - begin) + added;
-      else if (finding.line > begin)
-        finding.line = begin;
+      if (finding.line >= first_behind)
+        finding.line = finding.line - (end.line - begin.line) + added;
+      else if (finding.line > begin.line)
+        finding.line = begin.line;
     }
   }
 }
 
-void Workspace::set_deck(const std::string& main, std::shared_ptr<const keyword::Deck> deck) {
-  for (const keyword::SourceFile& file : deck->files()) main_[canonical(file.path)] = main;
+std::set<std::string> Workspace::set_deck(const std::string& main, std::shared_ptr<const keyword::Deck> deck) {
+  std::set<std::string> lost;
+  std::erase_if(main_, [&](const auto& file) {
+    if (file.second != main) return false;
+    if (documents_.contains(file.first)) lost.insert(file.first);
+    return true;
+  });
+  decks_.erase(main);
+  if (deck == nullptr) return lost;
+  for (const keyword::SourceFile& file : deck->files()) {
+    const std::string path = canonical(file.path);
+    main_[path] = main;
+    lost.erase(path);
+  }
   decks_[main] = std::move(deck);
+  return lost;
 }
 
 std::string Workspace::main_of(const Document& document) const {
@@ -107,7 +122,10 @@ std::set<std::string> Workspace::set_findings(const std::string& main, Audited a
   std::set<std::string> paths;
   for (const auto& [path, list] : findings_[main]) paths.insert(path);
   for (const auto& [path, list] : audited.findings) paths.insert(path);
-  findings_[main] = std::move(audited.findings);
+  if (audited.findings.empty())
+    findings_.erase(main);
+  else
+    findings_[main] = std::move(audited.findings);
   return paths;
 }
 

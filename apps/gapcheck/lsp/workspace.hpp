@@ -35,11 +35,13 @@ class Workspace {
   [[nodiscard]] Document* find_path(const std::string& path);
   /// Gives a document another text and checks it.
   static void set_text(Document& document, Text text);
-  /// Moves what was found in a document along with its lines: [begin, end) were replaced by `added` more.
-  void move_findings(const Document& document, std::uint32_t begin, std::uint32_t end, std::uint32_t added);
+  /// Moves what was found in a document along with its lines: [begin, end) was replaced by a text with that many line
+  /// ends.
+  void move_findings(const Document& document, Place begin, Place end, std::uint32_t added);
 
-  /// A deck that was read; documents among its files take their parameters and neighbours from it.
-  void set_deck(const std::string& main, std::shared_ptr<const keyword::Deck> deck);
+  /// A deck that was read; documents among its files take their parameters and neighbours from it. nullptr: it cannot
+  /// be read any more. Returns open documents that it had before and that have no deck now.
+  std::set<std::string> set_deck(const std::string& main, std::shared_ptr<const keyword::Deck> deck);
   /// Main file of the deck that a document was last seen in; empty: none is known.
   [[nodiscard]] std::string main_of(const Document& document) const;
   /// The document and the other files of its deck. Valid as long as nothing of the workspace changes.

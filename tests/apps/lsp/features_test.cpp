@@ -344,11 +344,19 @@ TEST_F(LspFeatures, FindingsMoveWithTheirLines) {
   for (const std::uint32_t line : {1U, 5U, 9U})
     audited.findings[path("main.k")].push_back({line, Severity::note, "GC1", "a finding " + std::to_string(line)});
   EXPECT_EQ(workspace_.set_findings(path("main.k"), audited), std::set<std::string>{path("main.k")});
-  workspace_.move_findings(*main_, 3, 3, 2);  // two lines more
-  workspace_.move_findings(*main_, 0, 2, 0);  // two lines less
-  std::vector<std::uint32_t> lines;
-  for (const LineFinding& finding : workspace_.findings(path("main.k"))) lines.push_back(finding.line);
-  EXPECT_EQ(lines, (std::vector<std::uint32_t>{0, 5, 9}));
+  const auto after = [&](Place begin, Place end, std::uint32_t added) {
+    workspace_.move_findings(*main_, begin, end, added);
+    std::vector<std::uint32_t> lines;
+    for (const LineFinding& finding : workspace_.findings(path("main.k"))) lines.push_back(finding.line);
+    return lines;
+  };
+  using Lines = std::vector<std::uint32_t>;
+  EXPECT_EQ(after({3, 4}, {3, 4}, 2), (Lines{1, 7, 11}));  // two lines more
+  EXPECT_EQ(after({0, 1}, {2, 1}, 0), (Lines{0, 5, 9}));   // two lines less
+  EXPECT_EQ(after({5, 0}, {5, 0}, 1), (Lines{0, 6, 10}));  // a line in front of the one of the finding
+  EXPECT_EQ(after({6, 3}, {6, 3}, 1), (Lines{0, 6, 11}));  // the line of the finding is cut in two
+  EXPECT_EQ(after({5, 8}, {6, 0}, 0), (Lines{0, 5, 10}));  // it is joined to the one before
+  EXPECT_EQ(after({3, 0}, {5, 0}, 2), (Lines{0, 5, 10}));  // lines in front of it are replaced
 }
 
 }  // namespace

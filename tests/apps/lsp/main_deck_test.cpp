@@ -57,6 +57,17 @@ TEST_F(LspMainDeck, FilesThatIncludeEachOther) {
   EXPECT_EQ(main_of("b.k"), "b.k");
 }
 
+TEST_F(LspMainDeck, ADeletedDeckHasNoIncludes) {
+  write("a.k", "*INCLUDE\nmesh.k\n");
+  write("b.k", "*INCLUDE\nmesh.k\n");
+  write("mesh.k", "*NODE\n");
+  EXPECT_EQ(main_of("mesh.k"), "a.k");
+  std::filesystem::remove(folder_ / "a.k");
+  EXPECT_EQ(main_of("mesh.k"), "b.k");
+  std::filesystem::remove(folder_ / "b.k");
+  EXPECT_EQ(main_of("mesh.k"), "mesh.k");
+}
+
 TEST_F(LspMainDeck, AChangedFileIsReadAgain) {
   write("a.k", "*INCLUDE\nmesh.k\n");
   write("mesh.k", "*NODE\n");

@@ -68,9 +68,8 @@ TEST(LspMessage, LongTextsMeanWhatJsonSays) {
 
 TEST(LspMessage, WhatIsNoMessage) {
   const std::string many(1'100'000, 'x');
-  for (const std::string& text :
-       {std::string("{"), std::string("\"a"), std::string("{\"a\": \"\xff\"}"), std::string(), "[\"" + many + "\\q\"]",
-        "[\"" + many + "\\u12\"]", "[\"" + many})
+  for (const std::string& text : {std::string("{"), std::string("\"a"), std::string("{\"a\": \"\xff\"}"), std::string(),
+                                  "[\"" + many + "\\q\"]", "[\"" + many + "\\u12\"]", "[\"" + many})
     EXPECT_TRUE(read_message(text).value.is_discarded()) << text.substr(0, 20);
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_FALSE(read_message(nested(deepest_nesting)).value.is_discarded());
