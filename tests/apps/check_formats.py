@@ -31,7 +31,9 @@ CLASSES = {"tool": sarif_om.Tool, "driver": sarif_om.ToolComponent, "rules": sar
            "location": sarif_om.Location, "relatedLocations": sarif_om.Location, "fixes": sarif_om.Fix,
            "description": sarif_om.Message, "artifactChanges": sarif_om.ArtifactChange,
            "replacements": sarif_om.Replacement, "deletedRegion": sarif_om.Region,
-           "insertedContent": sarif_om.ArtifactContent}
+           "insertedContent": sarif_om.ArtifactContent, "artifacts": sarif_om.Artifact, "analysisTarget": sarif_om.ArtifactLocation,
+           "invocations": sarif_om.Invocation, "toolExecutionNotifications": sarif_om.Notification,
+           ("Artifact", "location"): sarif_om.ArtifactLocation}
 
 
 def read_sarif(value, cls):
@@ -41,10 +43,11 @@ def read_sarif(value, cls):
     for key, member in value.items():
         if key not in names:
             raise ValueError(f"{cls.__name__} has no {key}")
-        if key in CLASSES and isinstance(member, list):
-            member = [read_sarif(item, CLASSES[key]) for item in member]
-        elif key in CLASSES:
-            member = read_sarif(member, CLASSES[key])
+        of_member = CLASSES.get((cls.__name__, key), CLASSES.get(key))
+        if of_member and isinstance(member, list):
+            member = [read_sarif(item, of_member) for item in member]
+        elif of_member:
+            member = read_sarif(member, of_member)
         arguments[names[key]] = member
     return cls(**arguments)
 
@@ -290,9 +293,14 @@ def check_several(checker):
         of_rule = [[finding for finding in deck["findings"] if finding["id"] == rule["id"]] for deck in alone]
         assert (rule["decks"], rule["findings"]) == (sum(map(bool, of_rule)), sum(map(len, of_rule))), rule
     assert set(rules) == {finding["id"] for deck in alone for finding in deck["findings"]} and len(rules) > 2
-    runs = read_sarif(json.loads(written["sarif"].stdout), sarif_om.SarifLog).runs
-    assert [len(run.results) for run in runs] == counts
-    assert len({run.automation_details["id"] for run in runs}) == 2
+    log = json.loads(written["sarif"].stdout)
+    if checker.public:
+        checker.public.validate(log)
+    (run,) = read_sarif(log, sarif_om.SarifLog).runs
+    assert [artifact.location.uri for artifact in run.artifacts] == [decks[0], decks[2]]
+    assert [sum(result.analysis_target.index == deck for result in run.results) for deck in (0, 1)] == counts
+    (missing,) = run.invocations[0].tool_execution_notifications
+    assert missing.message.text.startswith("data/missing.k: "), missing
     rows = list(csv.DictReader(io.StringIO(written["csv"].stdout.decode(), newline="")))
     assert [sum(row["deck"] == deck for row in rows) for deck in (decks[0], decks[2])] == counts
     entries = json.loads(written["gitlab"].stdout)

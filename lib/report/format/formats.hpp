@@ -10,7 +10,7 @@ namespace gapcheck::report {
 
 // Formats that other programs read; the contents are those of json(). All are deterministic except for times, end early
 // when the sink returns false, and need memory for one finding at a time unless stated otherwise. Several decks come
-// one after the other; decks that were not audited are not findings, and only json() and junit() name them.
+// one after the other; decks that were not audited are not findings, and only json(), sarif() and junit() name them.
 
 /// What a format may say about a rule.
 struct RuleText {
@@ -20,9 +20,10 @@ struct RuleText {
   std::string_view page;     ///< markdown
 };
 
-/// SARIF 2.1.0 (OASIS, sections 3.13 to 3.49): one run per deck, rules with their help, one result per finding with
-/// file and line, the node as a logical location, the contact's card and the finding that it follows from as related
-/// locations, `partialFingerprints`. `version` is the program's.
+/// SARIF 2.1.0 (OASIS, sections 3.13 to 3.49): one run, rules with their help, one result per finding with file and
+/// line, the node as a logical location, the contact's card and the finding that it follows from as related locations,
+/// `partialFingerprints`. Of several decks each is an artifact, and a result names its deck as `analysisTarget`; decks
+/// that were not audited are notifications. `version` is the program's.
 void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink);
 
 /// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one

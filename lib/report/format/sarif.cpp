@@ -32,8 +32,26 @@ void append_place(std::string_view file, std::uint32_t line, Members& location) 
   });
 }
 
-void append_fingerprint(std::uint64_t value, Members& result) {
-  result.object("partialFingerprints", [&](Members& prints) { prints.fingerprint(value, "gapcheck/v1"); });
+/// Which deck the results of a run with several decks are about; the members that say so are empty for one deck.
+struct Target {
+  std::size_t index = 0;
+  std::string_view deck{};
+};
+
+void append_target(const Target& target, Members& result) {
+  if (target.deck.empty()) return;
+  result.object("analysisTarget", [&](Members& artifact) {
+    artifact.string("uri", file_uri(target.deck));
+    artifact.integer("index", target.index);
+  });
+}
+
+/// Variants of a deck have findings in the same places.
+void append_fingerprint(std::uint64_t value, const Target& target, Members& result) {
+  result.object("partialFingerprints", [&](Members& prints) {
+    prints.fingerprint(value, "gapcheck/v1");
+    if (!target.deck.empty()) prints.string("gapcheck/deck", target.deck);
+  });
 }
 
 void append_rule(const RuleText& rule, Buffer& out) {
@@ -143,6 +161,7 @@ void append_related(const Item& item, const Report& report, const std::vector<st
 struct ResultContext {
   const Report& report;
   const std::vector<std::string>& contacts;  ///< contact_places()
+  const Target& target;
 };
 
 /// `rule`: position among the tool's rules, or npos. `cause`: the finding that this one follows from; nullptr: none.
@@ -160,9 +179,10 @@ void append_result(const Item& item, std::size_t rule, const Finding* cause, con
   append_entities(item, location, out);
   location.close();
   out.push_back(']');
+  append_target(context.target, result);
   append_related(item, context.report, context.contacts, cause, result, out);
   if (item.count > 1) result.integer("occurrenceCount", item.count);
-  append_fingerprint(item.fingerprint, result);
+  append_fingerprint(item.fingerprint, context.target, result);
   if (item.state) result.plain("baselineState", baseline_state(*item.state));
   if (item.ignored != nullptr) append_suppression(*item.ignored, result, out);
   append_properties(item, result, out);
@@ -170,7 +190,7 @@ void append_result(const Item& item, std::size_t rule, const Finding* cause, con
 }
 
 /// A finding of the baseline that is gone; its place in the files is not known.
-void append_absent(const KnownFinding& finding, std::string_view input, Buffer& out) {
+void append_absent(const KnownFinding& finding, std::string_view input, const Target& target, Buffer& out) {
   Members result(out);
   result.string("ruleId", finding.id);
   result.plain("level", name(finding.severity));
@@ -181,49 +201,99 @@ void append_absent(const KnownFinding& finding, std::string_view input, Buffer& 
   append_place(input, 0, location);
   location.close();
   out.push_back(']');
-  append_fingerprint(fingerprint(finding), result);
+  append_target(target, result);
+  append_fingerprint(fingerprint(finding), target, result);
   result.plain("baselineState", "absent");
   result.close();
 }
 
-}  // namespace
+using RulePositions = std::unordered_map<std::string_view, std::size_t>;
 
-namespace {
-
-void append_sarif_run(const Report& report, std::string_view version, std::span<const RuleText> rules, Stream& stream) {
+RulePositions append_tool(std::string_view version, std::span<const RuleText> rules, Stream& stream) {
   stream.text("{\"tool\":{\"driver\":{\"name\":\"gapcheck\",\"version\":");
   stream.text(json_string(version));
   stream.text(",\"rules\":[");
-  std::unordered_map<std::string_view, std::size_t> index;
+  RulePositions positions;
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    index.emplace(rules[i].id, i);
+    positions.emplace(rules[i].id, i);
     stream.separator(i == 0);
     append_rule(rules[i], stream.buffer);
   }
-  // One category per deck: code scanning refuses several runs of one.
-  stream.text("]}},\"columnKind\":\"utf16CodeUnits\",\"automationDetails\":{\"id\":");
-  stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
-  stream.text("},\n\"results\":[");
+  stream.text("]}},\"columnKind\":\"utf16CodeUnits\"");
+  return positions;
+}
+
+/// `first`: no results came before; false afterwards if there are some.
+void append_results(const Report& report, const Target& target, const RulePositions& rules, bool& first,
+                    Stream& stream) {
   const Items items(report), ignored = Items::ignored(report);
   const std::vector<std::string> contacts = contact_places(report);
   const Causes causes(report);
   const std::size_t records = report.penetrations.size() + report.tie_failures.size();
   const auto append = [&](const Item& item, const Finding* cause, Buffer& out) {
-    const auto rule = index.find(item.id);
-    append_result(item, rule == index.end() ? std::string_view::npos : rule->second, cause, {report, contacts}, out);
+    const auto rule = rules.find(item.id);
+    append_result(item, rule == rules.end() ? std::string_view::npos : rule->second, cause, {report, contacts, target},
+                  out);
   };
-  stream.lines(items.size(), true, [&](std::size_t i, Buffer& out) {
+  stream.lines(items.size(), first, [&](std::size_t i, Buffer& out) {
     append(items[i], i < records ? nullptr : causes.of(report.findings[i - records]), out);
   });
-  stream.lines(ignored.size(), items.size() == 0,
-               [&](std::size_t i, Buffer& out) { append(ignored[i], nullptr, out); });
-  bool first = items.size() + ignored.size() == 0;
-  if (report.baseline) {
-    for (const KnownFinding& finding : report.baseline->gone) {
-      stream.separator(std::exchange(first, false));
-      append_absent(finding, report.input, stream.buffer);
-    }
+  first = first && items.size() == 0;
+  stream.lines(ignored.size(), first, [&](std::size_t i, Buffer& out) { append(ignored[i], nullptr, out); });
+  first = first && ignored.size() == 0;
+  if (!report.baseline) return;
+  for (const KnownFinding& finding : report.baseline->gone) {
+    stream.separator(std::exchange(first, false));
+    append_absent(finding, report.input, target, stream.buffer);
   }
+}
+
+void append_run_of_deck(const Report& report, std::string_view version, std::span<const RuleText> rules,
+                        Stream& stream) {
+  const RulePositions positions = append_tool(version, rules, stream);
+  // One category per deck: code scanning refuses several runs of one.
+  stream.text(",\"automationDetails\":{\"id\":");
+  stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
+  stream.text("},\n\"results\":[");
+  bool first = true;
+  append_results(report, {}, positions, first, stream);
+  stream.text("]}");
+}
+
+/// Decks that were not audited, so that nobody takes their findings for gone.
+void append_not_audited(std::span<const Unread> unread, Stream& stream) {
+  if (unread.empty()) return;
+  stream.text(",\"invocations\":[{\"executionSuccessful\":false,\"toolExecutionNotifications\":[");
+  bool first = true;
+  for (const Unread& each : unread) {
+    stream.separator(std::exchange(first, false));
+    Members notification(stream.buffer);
+    notification.plain("level", "error");
+    append_text("message", fmt::format("{}: {}", each.deck, each.reason), notification);
+    notification.close();
+  }
+  stream.text("]}]");
+}
+
+/// One run of several decks, which are its artifacts: services take few runs of a file. It names no category, so that
+/// who uploads it does.
+void append_run_of_decks(const Reports& reports, std::string_view version, std::span<const RuleText> rules,
+                         Stream& stream) {
+  const RulePositions positions = append_tool(version, rules, stream);
+  append_not_audited(reports.unread, stream);
+  stream.text(",\n\"artifacts\":[");
+  for (std::size_t i = 0; i < reports.all.size(); ++i) {
+    stream.separator(i == 0);
+    Members artifact(stream.buffer);
+    artifact.object("location", [&](Members& place) { place.string("uri", file_uri(reports.all[i].input)); });
+    artifact.key("roles");
+    stream.text("[\"analysisTarget\"]");
+    artifact.close();
+  }
+  stream.text("],\n\"results\":[");
+  bool first = true;
+  for (std::size_t i = 0; i < reports.all.size() && stream.open(); ++i)
+    append_results(reports.all[i], {i, reports.all[i].input}, positions, first, stream);
   stream.text("]}");
 }
 
@@ -232,10 +302,10 @@ void append_sarif_run(const Report& report, std::string_view version, std::span<
 void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink) {
   Stream stream(sink);
   stream.text("{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[");
-  for (std::size_t i = 0; i < reports.all.size() && stream.open(); ++i) {
-    if (i > 0) stream.separator(false);
-    append_sarif_run(reports.all[i], version, rules, stream);
-  }
+  if (reports.several() && !reports.all.empty())
+    append_run_of_decks(reports, version, rules, stream);
+  else if (!reports.all.empty())
+    append_run_of_deck(reports.all.front(), version, rules, stream);
   stream.text("]}\n");
   stream.flush();
 }

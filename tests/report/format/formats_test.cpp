@@ -70,6 +70,44 @@ TEST(Sarif, EveryFindingWithRuleLevelPlaceAndFingerprint) {
     EXPECT_EQ(result["partialFingerprints"]["gapcheck/v1"].get<std::string>().size(), 16U);
 }
 
+TEST(Sarif, SeveralDecksAreOneRun) {
+  std::vector<Report> reports(3, with_hostile_text());
+  reports[0].input = "a, b.k";
+  reports[1] = Report();
+  reports[1].input = "clean.k";
+  const std::vector<Unread> unread{{"c.k", "is empty"}};
+  const auto log_of = [&](const Reports& all) {
+    return Json::parse(written([&](const Sink& sink) { sarif(all, "1.2", two_rules, sink); }));
+  };
+  const Json log = log_of({reports, unread});
+  ASSERT_EQ(log["runs"].size(), 1U);
+  const Json& run = log["runs"][0];
+  EXPECT_EQ(run["tool"], log_of(reports[0])["runs"][0]["tool"]);
+  EXPECT_FALSE(run.contains("automationDetails")) << "who uploads it names the category";
+  ASSERT_EQ(run["artifacts"].size(), 3U);
+  EXPECT_EQ(run["artifacts"][0]["location"]["uri"], "a%2C%20b.k");
+  EXPECT_EQ(run["artifacts"][1], Json::parse(R"({"location": {"uri": "clean.k"}, "roles": ["analysisTarget"]})"));
+  EXPECT_EQ(run["invocations"][0]["executionSuccessful"], false);
+  EXPECT_EQ(run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"], "c.k: is empty");
+  // The results are those of each deck, and name it.
+  const std::size_t count = items(reports[0]);
+  ASSERT_EQ(run["results"].size(), 2 * count);
+  for (std::size_t i = 0; i < 2 * count; ++i) {
+    Json result = run["results"][i];
+    const std::size_t deck = i < count ? 0 : 2;
+    EXPECT_EQ(result["analysisTarget"]["index"], deck);
+    EXPECT_EQ(result["analysisTarget"]["uri"], run["artifacts"][deck]["location"]["uri"]);
+    EXPECT_EQ(result["partialFingerprints"]["gapcheck/deck"], reports[deck].input);
+    result.erase("analysisTarget");
+    result["partialFingerprints"].erase("gapcheck/deck");
+    EXPECT_EQ(result, log_of(reports[deck])["runs"][0]["results"][i % count]);
+  }
+  EXPECT_FALSE(log_of({reports, {}})["runs"][0].contains("invocations"));
+  EXPECT_TRUE(log_of({{}, std::vector<Unread>(2, unread[0])})["runs"].empty());
+  // The form does not depend on how many could be read.
+  EXPECT_EQ(log_of({std::span(reports).first(1), unread})["runs"][0]["artifacts"].size(), 1U);
+}
+
 TEST(Gitlab, FingerprintsAreUniqueAndEveryFindingHasAPlace) {
   Report report = with_hostile_text();
   report.penetrations.push_back(report.penetrations.back());  // as two nodes in one place would be
