@@ -1,12 +1,14 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "command_line.hpp"
 #include "common/signals.hpp"
@@ -26,12 +28,21 @@ int show_text_of(const CLI::App& app, const CLI::ParseError& error) {
   return shown.ok() ? clean : failed;
 }
 
+/// The words of the command line, the last first. CLI11 takes "[a,b]" for a list; here it is the name of a file.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  std::reverse(words.begin(), words.end());
+  for (std::string& word : words)
+    if (word.starts_with('[') && word.ends_with(']')) word.insert(0, "./");
+  return words;
+}
+
 int run(int argc, char** argv) {
   CLI::App app;
   Action action;
   add_commands(app, action);
   try {
-    app.parse(argc, argv);
+    app.parse(words_of(argc, argv));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return show_text_of(app, error);
     print(plain_error(what_is_wrong(app, error)));

@@ -57,6 +57,15 @@ TEST_F(AuditProgram, AFileNamedLikeAPatternIsThatFile) {
   EXPECT_EQ(gapcheck("audit 'odd*name.k' --quiet").out.rfind("odd*name.k: ", 0), 0u);
 }
 
+TEST_F(AuditProgram, AFileNamedLikeAListIsThatFile) {
+  for (const std::string name : {"[front]", "[a,b].k", "[a,b]"}) {
+    file(name, content(project / "data/two_plates.k"));
+    const Ended run = gapcheck("audit '" + name + "' models/front.k --quiet --output '[" + name + "]'");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(last_line(content(folder_ / ("[" + name + "]"))), "2 decks: 0 errors, 36 warnings, 4 notes\n") << name;
+  }
+}
+
 TEST_F(AuditProgram, PatternsThatFindNothing) {
   for (const char* pattern : {"'models/*.key'", "'nowhere/**/*.k'", "'models/front.k/*.k'"}) {
     const Ended run = gapcheck(std::string("audit ") + pattern);
