@@ -19,6 +19,8 @@ const DeckFiles::Known& DeckFiles::known(const std::string& deck) {
   Diagnostics unheard;
   if (const auto read = keyword::read_deck(deck, options_, unheard); read) {
     for (const keyword::SourceFile& file : read.value().files().subspan(1)) known.includes.push_back(file.path);
+    for (const keyword::MissingInclude& include : read.value().missing_includes())
+      known.missing.push_back(include.name);
     known.directives = !read.value().directives().empty();
     known.can_run = has_keyword(read.value(), "CONTROL_TERMINATION") &&
                     (has_keyword(read.value(), "NODE") || !read.value().missing_includes().empty());

@@ -16,6 +16,8 @@ class DeckFiles {
   /// Paths of the files that a deck includes, directly or indirectly, once per inclusion. None if it cannot be read;
   /// faults are reported when it is read for its own sake.
   [[nodiscard]] const std::vector<std::string>& includes(const std::string& deck) { return known(deck).includes; }
+  /// Names of the included files that are missing, as written.
+  [[nodiscard]] const std::vector<std::string>& missing(const std::string& deck) { return known(deck).missing; }
   /// True if comments of the deck say something to gapcheck.
   [[nodiscard]] bool has_directives(const std::string& deck) { return known(deck).directives; }
   /// True if the deck with its includes has *CONTROL_TERMINATION and nodes, without which no run begins; an include
@@ -24,7 +26,7 @@ class DeckFiles {
 
  private:
   struct Known {
-    std::vector<std::string> includes;
+    std::vector<std::string> includes, missing;
     bool directives = false;
     bool can_run = false;
   };

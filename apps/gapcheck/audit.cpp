@@ -53,6 +53,13 @@ void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
       ->allow_extra_args(false)
       ->type_name("FILE")
       ->group("Selection");
+  command
+      .add_option("--deleted", arguments.deleted,
+                  "Only decks that still include this file, which may be gone; beside --changed, repeatable")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("FILE")
+      ->group("Selection");
   add_list(
       command, "--as-if", arguments.as_if,
       "Audit as if all contacts had this value: SST=0.5, OPTT=0, …; 'thickness': the workshop's check, SST and MST "

@@ -334,9 +334,10 @@ int audit_decks(AuditArguments arguments) {
   arguments.audit.read.cache = &cache;
   DeckFiles files(arguments.audit.read);
   Diagnostics diagnostics;
-  const DeckList list = arguments.changed.empty()
-                            ? list_decks(arguments.decks, files, diagnostics)
-                            : changed_decks(arguments.decks, arguments.changed, files, diagnostics);
+  const bool all = arguments.changed.empty() && arguments.deleted.empty();
+  const DeckList list =
+      all ? list_decks(arguments.decks, files, diagnostics)
+          : changed_decks(arguments.decks, {arguments.changed, arguments.deleted}, files, diagnostics);
   print(diagnostics, arguments.output.text.quiet);
   if (diagnostics.has_errors()) return failed;
   if (const Status status = check_files(arguments, list.decks, files); !status.ok()) {

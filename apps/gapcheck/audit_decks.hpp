@@ -14,7 +14,8 @@ namespace gapcheck::app {
 /// The input of `gapcheck audit`.
 struct AuditArguments {
   std::vector<std::string> decks;    ///< paths and patterns
-  std::vector<std::string> changed;  ///< only decks that one of these files belongs to; none: all
+  std::vector<std::string> changed;  ///< only decks that one of these files belongs to
+  std::vector<std::string> deleted;  ///< and those that still include one of these; neither: all decks
   std::string missing_includes = "error";
   std::vector<std::string> as_if;
   std::string units;

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/path_pattern.hpp"
+#include "keyword/include_paths.hpp"
 #include "report/item/describe.hpp"
 
 namespace gapcheck::app {
@@ -63,9 +64,10 @@ std::vector<std::string> find_files(const std::string& argument, Diagnostics& di
   return found;
 }
 
+/// Also of a file that is gone.
 std::string canonical(const std::string& path) {
   std::error_code error;
-  const std::string name = fs::canonical(path, error).string();
+  const std::string name = fs::weakly_canonical(fs::absolute(path, error), error).string();
   return name.empty() ? path : name;
 }
 
@@ -104,11 +106,25 @@ std::set<std::string> includes_of(const Candidate& candidate, DeckFiles& files) 
   return others;
 }
 
+/// Whether the name of an include that is missing may mean a path: which folder it was in is not known any more.
+bool may_mean(std::string name, const std::string& path) {
+  const bool other_machine = keyword::may_be_of_another_machine(name);
+  std::replace(name.begin(), name.end(), '\\', '/');
+  if (other_machine) name = fs::path(name).filename().string();
+  fs::path end;
+  for (const fs::path& part : fs::path(name).lexically_normal().relative_path())
+    if (part != "..") end /= part;
+  return !end.empty() && ("/" + path).ends_with("/" + end.string());
+}
+
 /// Chooses the decks so that each candidate is one or is included by one.
 class Choice {
  public:
   Choice(const std::vector<Candidate>& all, DeckFiles& files) : all_(all) {
-    for (const Candidate& candidate : all) includes_.push_back(includes_of(candidate, files));
+    for (const Candidate& candidate : all) {
+      includes_.push_back(includes_of(candidate, files));
+      missing_.push_back(files.missing(candidate.path));
+    }
     for (std::size_t i = 0; i < all.size(); ++i)
       for (const std::string& file : includes_[i]) includers_[file].push_back(i);
   }
@@ -129,10 +145,16 @@ class Choice {
     return stays;
   }
 
-  /// True if one of the files, given by canonical path, is the candidate or is included by it.
-  [[nodiscard]] bool has_any(std::size_t i, const std::set<std::string>& paths) const {
-    return std::ranges::any_of(
-        paths, [&](const std::string& path) { return path == all_[i].canonical || includes_[i].contains(path); });
+  /// True if the file, given by its canonical path, is the candidate, or is included by it even if it is gone.
+  [[nodiscard]] bool has(std::size_t i, const std::string& path) const {
+    return path == all_[i].canonical || includes_[i].contains(path) ||
+           std::ranges::any_of(missing_[i], [&](const std::string& name) { return may_mean(name, path); });
+  }
+  /// True if that holds for any candidate.
+  [[nodiscard]] bool any_has(const std::string& path) const {
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (has(i, path)) return true;
+    return false;
   }
 
  private:
@@ -147,6 +169,7 @@ class Choice {
 
   const std::vector<Candidate>& all_;
   std::vector<std::set<std::string>> includes_;
+  std::vector<std::vector<std::string>> missing_;  ///< names
   std::map<std::string, std::vector<std::size_t>> includers_;
   std::set<std::string> covered_;
 };
@@ -162,17 +185,25 @@ DeckList list_decks(const std::vector<std::string>& arguments, DeckFiles& files,
   return list;
 }
 
-DeckList changed_decks(const std::vector<std::string>& arguments, const std::vector<std::string>& changed,
-                       DeckFiles& files, Diagnostics& diagnostics) {
+DeckList changed_decks(const std::vector<std::string>& arguments, const ChangedFiles& changed, DeckFiles& files,
+                       Diagnostics& diagnostics) {
   std::vector<Candidate> all = candidates(arguments, diagnostics);
   for (Candidate& candidate : all) candidate.named = false;
-  std::set<std::string> paths;
-  for (const std::string& file : changed) paths.insert(canonical(file));
   Choice choice(all, files);
+  std::set<std::string> paths;
+  for (const std::string& file : changed.deleted) paths.insert(canonical(file));
+  for (const std::string& file : changed.changed) {
+    const std::string& path = *paths.insert(canonical(file)).first;
+    std::error_code unknown;
+    if (!fs::exists(file, unknown) && !choice.any_has(path))
+      diagnostics.error(
+          file, 0, "is not there, and no deck includes it; correct the name, or give a deleted file with --deleted");
+  }
   const std::vector<bool> decks = choice.decks();
   DeckList list;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (decks[i] && choice.has_any(i, paths))
+    const auto belongs = [&](const std::string& path) { return choice.has(i, path); };
+    if (decks[i] && std::ranges::any_of(paths, belongs))
       (files.can_run(all[i].path) ? list.decks : list.incomplete).push_back(all[i].path);
   }
   return list;

@@ -22,9 +22,16 @@ struct DeckList {
 [[nodiscard]] DeckList list_decks(const std::vector<std::string>& arguments, DeckFiles& files,
                                   Diagnostics& diagnostics);
 
-/// Of the decks that list_decks() finds those that one of the files `changed` belongs to. A named file, too, is not a
-/// deck if another one includes it. A file that nobody includes is one only if it can run (DeckFiles::can_run).
-[[nodiscard]] DeckList changed_decks(const std::vector<std::string>& arguments, const std::vector<std::string>& changed,
+/// Files that have changed.
+struct ChangedFiles {
+  std::vector<std::string> changed;  ///< one that is not there is an error, unless a deck includes it
+  std::vector<std::string> deleted;  ///< may be there or not
+};
+
+/// Of the decks that list_decks() finds those that one of the files belongs to, or that still include one that is gone.
+/// A named file, too, is not a deck if another one includes it. A file that nobody includes is one only if it can run
+/// (DeckFiles::can_run): the include that no deck has must not fail a commit.
+[[nodiscard]] DeckList changed_decks(const std::vector<std::string>& arguments, const ChangedFiles& changed,
                                      DeckFiles& files, Diagnostics& diagnostics);
 
 /// `name` with {deck} replaced by the deck's path: without its extension, and never leading out of the folder in

@@ -72,10 +72,36 @@ TEST_F(Changed, FilesWithWhichNoRunBeginsAreNotDecks) {
 
 TEST_F(Changed, WithoutADeckThereIsNothingToDo) {
   EXPECT_EQ(audited("--changed README.md"), Decks{});
-  EXPECT_EQ(audited("--changed gone.k"), Decks{});
+  EXPECT_EQ(audited("--deleted gone.k"), Decks{});
   EXPECT_NE(gapcheck("audit '**/*.k' --changed README.md").err.find("no deck has one of the changed files"),
             std::string::npos);
   EXPECT_EQ(gapcheck("audit '**/*.k' --changed README.md --quiet").err, "");
+}
+
+TEST_F(Changed, ADeletedIncludeLeadsToTheDecksThatStillHaveIt) {
+  std::filesystem::remove(folder_ / "parts/door.k");
+  for (const std::string option : {"--changed", "--deleted"}) {
+    const Ended run = gapcheck("audit '**/*.k' --quiet " + option + " parts/door.k");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("side.k:7: include \"parts/door.k\" was not found"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out.find("front.k"), std::string::npos) << run.out;
+  }
+  EXPECT_EQ(audited("--deleted other/door.k"), Decks{}) << "another one of that name";
+  file("side.k", "*KEYWORD\n*CONTROL_TERMINATION\n1.\n*INCLUDE\nD:\\job\\door.k\n*END\n");
+  EXPECT_EQ(gapcheck("audit '**/*.k' --deleted parts/door.k").code, 2) << "its folder was another one";
+  // With the line that included it gone, too, nothing is wrong.
+  file("side.k", "*KEYWORD\n*CONTROL_TERMINATION\n1.\n*INCLUDE\nparts/mesh.inc\n*END\n");
+  EXPECT_EQ(audited("--deleted parts/door.k"), Decks{});
+  EXPECT_EQ(audited("--deleted parts/door.k --changed side.k"), Decks{"side"});
+}
+
+TEST_F(Changed, ANameThatNoFileHasIsAnError) {
+  const Ended run = gapcheck("audit '**/*.k' --changed front.k --changed parts/dor.k --quiet");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err,
+            "gapcheck: error: parts/dor.k: is not there, and no deck includes it; correct the name, or give a deleted "
+            "file with --deleted\n");
 }
 
 TEST_F(Changed, ADeckWithFaultsStillFails) {

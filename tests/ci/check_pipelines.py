@@ -71,6 +71,13 @@ class Pipelines:
         log = json.loads((repository.folder / outputs["sarif"]).read_text())
         assert code == 0 and len(log["runs"]) == 1, "the errors are in the other deck"
         assert {result["ruleId"] for result in log["runs"][0]["results"]} == {"GC101"}
+        repository.commit(**{"models/plates.inc": None})
+        runner = GitHub(repository)
+        outputs, code = runner.action(options)
+        assert code == 2 and "plates.inc" in runner.said, "the deck still includes what was deleted"
+        repository.commit(**{"models/plates.k": main_deck("deep.inc")})
+        outputs, code = GitHub(repository).action({**options, "fail-on": "never"})
+        assert code == 0, "a deck that does not any more"
         assert GitHub(repository_without_changes(repository)).action(options) == ({"exit-code": "0", "sarif": ""}, 0)
 
     def check_gitlab(self):

@@ -59,6 +59,11 @@ class Commits:
         self.expect("a file that no deck has", 0, **{"notes.md": "second\n", "server.key": "-----BEGIN KEY-----\n"})
         self.expect("a new deck with findings", 1, "side.k: ", without=["front.k"], **{"side.k": main_deck("parts/spare.k")})
         self.expect("a deck whose include is missing", 2, "lost.inc", "(exit 2)", **{"side.k": main_deck("lost.inc")})
+        self.expect("a deleted include that a deck still has", 2, "parts/rear.inc", "(exit 2)", without=["front.k"],
+                    **{"parts/rear.inc": None})
+        self.expect("a renamed include that a deck has by its old name", 2, "parts/rear.inc", "(exit 2)",
+                    **{"parts/rear.inc": None, "parts/tail.inc": "$ new\n" + body("clean")})
+        self.expect("a deleted include that no deck has any more", 0, **{"parts/other.inc": None})
         self.expect("warnings do not stop", 0, **{"mesh.inc": body("two_plates")})
         self.staged_alone(bad)
 

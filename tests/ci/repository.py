@@ -46,7 +46,10 @@ class Repository:
         return said.strip()
 
     def write(self, name, text):
+        """No text: the file is deleted."""
         path = self.folder / name
+        if text is None:
+            return path.unlink()
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
 
