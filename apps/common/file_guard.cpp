@@ -1,7 +1,6 @@
 #include "common/file_guard.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/system/files.hpp"
 #include "results/d3plot/run_folder.hpp"
 
 namespace gapcheck::app {
@@ -25,10 +25,10 @@ std::optional<std::string> identity(const std::string& path) {
   std::error_code failed;
   fs::path place = fs::weakly_canonical(fs::absolute(path, failed), failed);
   if (failed) place = fs::absolute(path, failed).lexically_normal();
-  struct stat status {};
-  if (::stat(place.c_str(), &status) != 0) return place.string();
-  if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) return std::nullopt;
-  return fmt::format("{} {}", status.st_dev, status.st_ino);
+  system::FileState state;
+  if (!system::state_of(place.string(), state)) return place.string();
+  if (state.kind == system::FileKind::other) return std::nullopt;
+  return fmt::format("{} {}", state.device, state.inode);
 }
 
 bool any_exists(const std::vector<PlannedOutput>& outputs) {

@@ -12,6 +12,7 @@
 #include "audit/registry.hpp"
 #include "audit/shared/length_unit.hpp"
 #include "audit_decks.hpp"
+#include "base/system/clock.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
@@ -111,7 +112,7 @@ void add_campaign(CLI::App& command, AuditArguments& arguments, std::string& sha
 std::chrono::sys_days today() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
-  if (::localtime_r(&now, &local) == nullptr) return {};
+  if (!system::local_time(now, local)) return {};
   return std::chrono::year(local.tm_year + 1900) / (local.tm_mon + 1) / local.tm_mday;
 }
 

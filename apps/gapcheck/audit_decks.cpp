@@ -10,12 +10,12 @@
 
 #include "audit/registry.hpp"
 #include "base/parallel.hpp"
+#include "base/system/memory.hpp"
 #include "campaign/deck_key.hpp"
 #include "campaign/deck_results.hpp"
 #include "campaign/results_file.hpp"
 #include "campaign/stored_results.hpp"
 #include "commands.hpp"
-#include "common/freed_memory.hpp"
 #include "common/version.hpp"
 #include "deck_list.hpp"
 #include "keyword/file_cache.hpp"
@@ -329,7 +329,7 @@ bool selects(const audit::AuditOptions& audit) {
 }
 
 int audit_decks(AuditArguments arguments) {
-  keep_freed_memory();
+  system::keep_freed_memory();
   keyword::FileCache cache;
   arguments.audit.read.cache = &cache;
   DeckFiles files(arguments.audit.read);

@@ -1,11 +1,10 @@
-#include <unistd.h>
-
 #include <cstdlib>
 #include <memory>
 #include <utility>
 
 #include "audit_decks.hpp"
 #include "base/parallel.hpp"
+#include "base/system/terminal.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
 #include "lsp/server.hpp"
@@ -32,7 +31,8 @@ void add_lsp(CLI::App& app, Action& action) {
         audit::AuditOptions audit = audit_options_of(deck, *arguments, faults);
         return lsp::DeckOptions{std::move(audit), faults.sorted()};
       };
-      auto* server = new lsp::Server(STDIN_FILENO, STDOUT_FILENO, options, version_line("gapcheck"));
+      auto* server =
+          new lsp::Server(system::standard_input, system::standard_output, options, version_line("gapcheck"));
       // Threads may still read a deck; nothing that they do is left half done.
       std::_Exit(server->run());
       return 0;

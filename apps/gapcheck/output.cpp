@@ -1,16 +1,14 @@
 #include "output.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
 
+#include "base/system/terminal.hpp"
 #include "common/message_line.hpp"
 #include "common/standard_output.hpp"
-#include "common/terminal.hpp"
 
 namespace gapcheck::app {
 
@@ -36,15 +34,11 @@ Status Output::close() {
 
 bool Output::color() const {
   const char* no_color = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
-  return !file_ && status_.ok() && obeys_escapes(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
+  return !file_ && status_.ok() && system::obeys_escapes(system::standard_output) &&
+         (no_color == nullptr || *no_color == '\0');
 }
 
-std::size_t Output::width() const {
-  winsize size{};
-  if (file_ || !status_.ok() || ::isatty(STDOUT_FILENO) == 0) return 0;
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
-  return size.ws_col;
-}
+std::size_t Output::width() const { return file_ || !status_.ok() ? 0 : system::columns_of(system::standard_output); }
 
 void print(const Diagnostic& diagnostic) { std::fputs(line_of("gapcheck", diagnostic).c_str(), stderr); }
 

@@ -1,18 +1,16 @@
 #include "progress.hpp"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
 #include <system_error>
 #include <utility>
 
-#include "common/terminal.hpp"
+#include "base/system/terminal.hpp"
 
 namespace gapcheck::app {
 
 Progress::Progress(std::string what, bool wanted) {
-  if (!wanted || !obeys_escapes(STDERR_FILENO)) return;
+  if (!wanted || !system::obeys_escapes(system::standard_error)) return;
   try {
     thread_ = std::thread([this, what = std::move(what)] { run(what); });
   } catch (const std::system_error&) {

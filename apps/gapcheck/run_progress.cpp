@@ -1,12 +1,11 @@
 #include "run_progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "common/terminal.hpp"
+#include "base/system/terminal.hpp"
 
 namespace gapcheck::app {
 
@@ -18,7 +17,7 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
-RunProgress::RunProgress(bool wanted) : wanted_(wanted && obeys_escapes(STDERR_FILENO)) {}
+RunProgress::RunProgress(bool wanted) : wanted_(wanted && system::obeys_escapes(system::standard_error)) {}
 
 RunProgress::~RunProgress() {
   if (shown_) std::fputs("\r\x1b[K", stderr);

@@ -1,10 +1,5 @@
 #include "base/file_bytes.hpp"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <mutex>
@@ -12,20 +7,19 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/system/files.hpp"
+#include "base/system/memory.hpp"
 
 namespace gapcheck {
 namespace {
 
 /// What load() reads at least, and one thread of several at once.
 constexpr std::size_t load_step = std::size_t{4} << 20;
-/// Below this size huge pages would only waste memory.
-constexpr std::size_t worth_huge_pages = std::size_t{16} << 20;
 
 Diagnostic read_failure(const std::string& path, const std::string& what) { return {Severity::error, path, 0, what}; }
 
-FileStamp stamp_of(const struct stat& info) {
-  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size), info.st_mtim.tv_sec,
-          info.st_mtim.tv_nsec};
+FileStamp stamp_of(const system::FileState& state) {
+  return {state.device, state.inode, state.size, state.seconds, state.nanoseconds};
 }
 
 }  // namespace
@@ -33,24 +27,19 @@ FileStamp stamp_of(const struct stat& info) {
 Result<FileBytes> FileBytes::begin(const std::string& path) {
   FileBytes file;
   file.path_ = path;
-  // O_NONBLOCK: opening a named pipe must not wait for a writer.
-  file.fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  file.fd_ = system::open_to_read(path);
   if (file.fd_ < 0)
     return read_failure(path, std::string("cannot be opened: ") + std::generic_category().message(errno));
-  struct stat info {};
-  if (::fstat(file.fd_, &info) != 0)
+  system::FileState state;
+  if (!system::state_of(file.fd_, state))
     return read_failure(path, std::string("cannot be examined: ") + std::generic_category().message(errno));
-  if (S_ISDIR(info.st_mode)) return read_failure(path, "is a directory; give a file inside it");
-  if (!S_ISREG(info.st_mode)) return read_failure(path, "is not a regular file");
-  file.stamp_ = stamp_of(info);
-  if (info.st_size == 0) return file;
-  // Addresses only: memory is taken as the bytes come.
-  void* address =
-      ::mmap(nullptr, file.size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (address == MAP_FAILED)
+  if (state.kind == system::FileKind::folder) return read_failure(path, "is a directory; give a file inside it");
+  if (state.kind != system::FileKind::regular) return read_failure(path, "is not a regular file");
+  file.stamp_ = stamp_of(state);
+  if (state.size == 0) return file;
+  file.data_ = system::take_memory(file.size());
+  if (file.data_ == nullptr)
     return read_failure(path, std::string("there is no memory for it: ") + std::generic_category().message(errno));
-  if (file.size() >= worth_huge_pages) ::madvise(address, file.size(), MADV_HUGEPAGE);
-  file.data_ = static_cast<char*>(address);
   return file;
 }
 
@@ -63,8 +52,7 @@ Result<FileBytes> FileBytes::open(const std::string& path) {
 
 Status FileBytes::read_piece(std::size_t begin, std::size_t end) const {
   while (begin < end) {
-    const ssize_t got = ::pread(fd_, data_ + begin, end - begin, static_cast<off_t>(begin));
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = system::read_at(fd_, data_ + begin, end - begin, begin);
     if (got < 0) return read_failure(path_, std::string("cannot be read: ") + std::generic_category().message(errno));
     if (got == 0) return read_failure(path_, "became shorter while it was read; wait until it is complete");
     begin += static_cast<std::size_t>(got);
@@ -85,20 +73,18 @@ Status FileBytes::load(std::size_t end) {
   });
   if (!status.ok()) return status;
   loaded_ = until;
-  if (loaded_ == size()) ::close(std::exchange(fd_, -1));
+  if (loaded_ == size()) system::close(std::exchange(fd_, -1));
   return {};
 }
 
 void FileBytes::release(std::size_t begin, std::size_t end) {
-  static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  begin = (begin + page - 1) / page * page;
-  end = std::min(end, loaded_) / page * page;
-  if (begin < end) ::madvise(data_ + begin, end - begin, MADV_DONTNEED);
+  end = std::min(end, loaded_);
+  if (begin < end) system::give_back_pages(data_ + begin, data_ + end);
 }
 
 Status FileBytes::unchanged() const {
-  struct stat info {};
-  if (::stat(path_.c_str(), &info) == 0 && stamp_of(info) == stamp_) return {};
+  system::FileState state;
+  if (system::state_of(path_, state) && stamp_of(state) == stamp_) return {};
   return read_failure(path_, "was changed while gapcheck worked on it; run it again");
 }
 
@@ -119,8 +105,8 @@ FileBytes& FileBytes::operator=(FileBytes&& other) noexcept {
 }
 
 FileBytes::~FileBytes() {
-  if (fd_ >= 0) ::close(fd_);
-  if (data_ != nullptr) ::munmap(data_, size());
+  if (fd_ >= 0) system::close(fd_);
+  if (data_ != nullptr) system::give_back_memory(data_, size());
 }
 
 }  // namespace gapcheck

@@ -1,9 +1,6 @@
 #include "base/file_writer.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
 #include <atomic>
@@ -13,6 +10,8 @@
 #include <random>
 #include <system_error>
 #include <utility>
+
+#include "base/system/files.hpp"
 
 namespace gapcheck {
 
@@ -51,8 +50,7 @@ std::optional<fs::path> target_of(fs::path path) {
   constexpr int most_links = 40;
   std::error_code error;
   for (int links = 0; links < most_links; ++links) {
-    for (const std::string_view stream : {"/dev/", "/proc/"})
-      if (path.native().starts_with(stream)) return std::nullopt;
+    if (system::names_stream(path.string())) return std::nullopt;
     if (!fs::is_symlink(path, error)) return path;
     const fs::path to = fs::read_symlink(path, error);
     if (error) return path;
@@ -73,14 +71,14 @@ bool means_no_disk(int error) { return error == EINVAL || error == ENOTSUP || er
 class FileWriter::Temporary {
  public:
   explicit Temporary(const fs::path& target) : listed_(list_name(random_name())), parent_(target.parent_path()) {
-    folder_ = ::open(parent_.empty() ? "." : parent_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+    folder_ = system::open_folder(parent_.string());
     if (folder_ < 0) {
       error_ = errno;
       return;
     }
     listed_.folder = folder_;
     listed_.exists = true;
-    fd_ = ::openat(folder_, listed_.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+    fd_ = system::create_in(folder_, listed_.name.c_str());
     error_ = errno;
     // A handler that has read the list before this will not delete the file.
     if (fd_ < 0) listed_.exists = false;
@@ -89,7 +87,7 @@ class FileWriter::Temporary {
   ~Temporary() {
     if (listed_.exists) remove();
     listed_.exists = false;
-    if (folder_ >= 0) ::close(folder_);
+    if (folder_ >= 0) system::close(folder_);
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -103,7 +101,7 @@ class FileWriter::Temporary {
   void keep() { listed_.exists = false; }
 
  private:
-  void remove() { ::unlinkat(folder_, listed_.name.c_str(), 0); }
+  void remove() { system::remove_in(folder_, listed_.name.c_str()); }
 
   ListedName& listed_;
   const fs::path parent_;
@@ -122,7 +120,7 @@ Diagnostic FileWriter::failure(int error) const {
 Status FileWriter::open_directly() {
   temporary_.reset();
   errno = 0;
-  file_.reset(std::fopen(path_.c_str(), "wbe"));
+  file_.reset(system::open_stream(path_, "wb"));
   if (!file_) return failure(errno);
   return {};
 }
@@ -130,25 +128,24 @@ Status FileWriter::open_directly() {
 Result<FileWriter> FileWriter::create(const std::string& path) {
   const auto target = target_of(path);
   FileWriter writer(path, target ? target->string() : path);
-  struct stat old {};
-  const bool exists = ::stat(path.c_str(), &old) == 0;
+  system::FileState old;
+  const bool exists = system::state_of(path, old);
   writer.replaces_ = exists;
-  if (exists && S_ISDIR(old.st_mode)) return writer.failure(EISDIR);
+  if (exists && old.kind == system::FileKind::folder) return writer.failure(EISDIR);
   // Write-protected files stay, although their folder would let them be replaced.
-  if (exists && ::access(path.c_str(), W_OK) != 0) return writer.failure(errno);
-  const bool direct = !target || path.empty() || (exists && !S_ISREG(old.st_mode));
+  if (exists && !system::may_write(path)) return writer.failure(errno);
+  const bool direct = !target || path.empty() || (exists && old.kind != system::FileKind::regular);
   if (!direct) {
     writer.temporary_ = std::make_unique<Temporary>(*target);
     const int fd = writer.temporary_->fd();
     if (fd >= 0) {
-      writer.file_.reset(::fdopen(fd, "wb"));
+      writer.file_.reset(system::stream_of(fd));
       if (!writer.file_) {
         const int error = errno;
-        ::close(fd);
+        system::close(fd);
         return writer.failure(error);
       }
-      if (exists && ::fchown(fd, old.st_uid, old.st_gid) != 0) errno = 0;  // only some may
-      if (exists) ::fchmod(fd, old.st_mode & 07777);
+      if (exists) system::give_permissions(fd, old);
       return {std::move(writer)};
     }
     if (!exists || !closed_folder(writer.temporary_->error())) return writer.failure(writer.temporary_->error());
@@ -168,7 +165,8 @@ Status FileWriter::finish() {
   if (file_) {
     errno = 0;
     if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
-    if (error_ == 0 && temporary_ && replaces_ && ::fsync(::fileno(file_.get())) != 0 && !means_no_disk(errno))
+    if (error_ == 0 && temporary_ && replaces_ && !system::flush_to_disk(system::descriptor_of(file_.get())) &&
+        !means_no_disk(errno))
       error_ = errno;
     if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno != 0 ? errno : EIO;
   }
@@ -181,8 +179,8 @@ Status FileWriter::finish() {
 
 /// The text into the old file, for names that cannot be taken over: mount points, as containers have them.
 int FileWriter::put_over() {
-  const std::unique_ptr<std::FILE, Close> from(std::fopen(temporary_->path().c_str(), "rbe"));
-  std::unique_ptr<std::FILE, Close> to(std::fopen(target_.c_str(), "wbe"));
+  const std::unique_ptr<std::FILE, Close> from(system::open_stream(temporary_->path(), "rb"));
+  std::unique_ptr<std::FILE, Close> to(system::open_stream(target_, "wb"));
   if (!from || !to) return errno;
   std::array<char, 65536> buffer{};
   for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), from.get())) > 0;)
@@ -194,7 +192,7 @@ int FileWriter::put_over() {
 Status FileWriter::commit() {
   if (Status finished = finish(); !finished.ok()) return finished;
   if (!temporary_) return {};
-  if (::rename(temporary_->path().c_str(), target_.c_str()) == 0) {
+  if (system::rename_over(temporary_->path(), target_)) {
     temporary_->keep();
   } else {
     error_ = errno == EBUSY ? put_over() : errno;
@@ -212,15 +210,15 @@ Status write_file(const std::string& path, std::string_view text) {
 }
 
 FileId id_of(std::FILE* file) {
-  struct stat info {};
-  if (file == nullptr || ::fstat(::fileno(file), &info) != 0) return {};
-  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size)};
+  system::FileState state;
+  if (file == nullptr || !system::state_of(system::descriptor_of(file), state)) return {};
+  return {state.device, state.inode, state.size};
 }
 
 Status check_name(const std::string& path, const FileId& file, bool closed) {
-  struct stat info {};
-  if (::stat(path.c_str(), &info) == 0 && (closed ? static_cast<std::uint64_t>(info.st_size) == file.size
-                                                  : info.st_dev == file.device && info.st_ino == file.inode))
+  system::FileState state;
+  if (system::state_of(path, state) &&
+      (closed ? state.size == file.size : state.device == file.device && state.inode == file.inode))
     return {};
   return Diagnostic{Severity::error, path, 0,
                     "was removed, moved or replaced while gapcheck wrote it; write into a folder that stays"};
@@ -229,7 +227,7 @@ Status check_name(const std::string& path, const FileId& file, bool closed) {
 void remove_uncommitted_files() noexcept {
   ending = true;
   for (const ListedName* name = listed_names; name != nullptr; name = name->next)
-    if (name->exists) ::unlinkat(name->folder, name->name.c_str(), 0);
+    if (name->exists) system::remove_in(name->folder, name->name.c_str());
 }
 
 }  // namespace gapcheck

@@ -1,5 +1,5 @@
-// The house rules that a machine can check: who may include whom, where CGAL may be seen, that the library never
-// prints or exits, how files are named and how long they are.
+// The house rules that a machine can check: who may include whom, where CGAL and the operating system may be seen, that
+// the library never prints or exits, how files are named and how long they are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ const Order rooms{{"base", {}},
 
 /// The floors of a room, as in docs/architecture.md; "top" are the files of the room itself.
 const std::map<std::string, Order> floors{
+    {"base", {{"system", {}}, {"system/posix", {"system"}}, {"top", {"system/posix"}}}},
     {"keyword", {{"text", {}}, {"top", {"text"}}}},
     {"model",
      {{"entity", {}}, {"contact", {"entity"}}, {"top", {"contact"}}, {"read", {"top"}}, {"material", {"read"}}}},
@@ -242,6 +244,35 @@ TEST(Architecture, OnlyGeometrySeesCgal) {
 bool has_any(const std::string& line, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(),
                      [&](const char* word) { return line.find(word) != std::string::npos; });
+}
+
+/// Headers of operating systems. <csignal> too, since signals differ most.
+bool is_of_the_system(const std::string& header) {
+  static const std::set<std::string> names{"csignal",  "dirent.h", "dlfcn.h",   "fcntl.h",  "io.h",
+                                           "malloc.h", "poll.h",   "pthread.h", "pwd.h",    "sched.h",
+                                           "signal.h", "spawn.h",  "termios.h", "unistd.h", "windows.h"};
+  return names.contains(header) || header.starts_with("sys/");
+}
+
+TEST(Architecture, OnlyBaseSeesTheOperatingSystem) {
+  const std::string own = "base/system/";
+  const std::regex macro(R"(^\s*#.*\b(_WIN32|__MINGW32__|__linux__|__unix__|__APPLE__|__GLIBC__)\b)");
+  const auto refers = [&](const std::string& line) {
+    return has_any(line, {"_WIN32", "__MINGW", "__linux", "__unix", "__APPLE", "__GLIBC"}) &&
+           std::regex_search(line, macro);
+  };
+  std::size_t own_includes = 0;
+  for (const char* const top : {"lib", "apps"})
+    for (const fs::path& path : files_below(top)) {
+      if (!is_code(path)) continue;
+      const bool is_own = path.generic_string().starts_with(own);
+      for (const std::string& line : split_lines(read(fs::path(GAPCHECK_ROOT) / top / path))) {
+        const bool includes = is_of_the_system(included(line).name);
+        own_includes += is_own && includes ? 1 : 0;
+        EXPECT_TRUE(is_own || (!includes && !refers(line))) << top << "/" << path << ": " << line;
+      }
+    }
+  EXPECT_GT(own_includes, 10U);
 }
 
 TEST(Architecture, TheLibraryNeverPrintsAndNeverExits) {

@@ -1,14 +1,13 @@
 #include "campaign/results_file.hpp"
 
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <utility>
 
+#include "base/system/files.hpp"
 #include "report/archive/archive.hpp"
 
 // The overloads that archives look for are in the namespace of the archive.
@@ -89,10 +88,10 @@ Result<std::string_view> entries_in(std::string_view bytes, const std::string& p
 
 Result<ResultsFile> ResultsFile::open(const std::string& path) {
   ResultsFile results(path);
-  results.file_.reset(std::fopen(path.c_str(), "abe"));
+  results.file_.reset(system::open_stream(path, "ab"));
   if (!results.file_) return system_fault(path, "cannot be written", errno);
-  const int descriptor = ::fileno(results.file_.get());
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
+  const int descriptor = system::descriptor_of(results.file_.get());
+  if (!system::lock(descriptor))
     return fault(path, "another call of gapcheck has it open; give each call a file of its own");
   auto bytes = FileBytes::open(path);
   if (!bytes) return bytes.error();
@@ -106,7 +105,7 @@ Result<ResultsFile> ResultsFile::open(const std::string& path) {
   const bool has_head = all.size() >= magic.size();
   results.cut_off_ = has_head ? left.size() : 0;
   if (left.empty() && has_head) return results;
-  if (::ftruncate(descriptor, static_cast<off_t>(has_head ? all.size() - left.size() : 0)) != 0)
+  if (!system::shorten(descriptor, has_head ? all.size() - left.size() : 0))
     return system_fault(path, "cannot be shortened", errno);
   if (!has_head && std::fwrite(magic.data(), 1, magic.size(), results.file_.get()) != magic.size())
     return system_fault(path, "cannot be written", errno);
@@ -146,7 +145,7 @@ Status ResultsFile::add(const DeckResult& result) {
   std::FILE* file = file_.get();
   const bool written = std::fwrite(&head, sizeof head, 1, file) == 1 &&
                        std::fwrite(entry.data(), 1, entry.size(), file) == entry.size() && std::fflush(file) == 0 &&
-                       ::fsync(::fileno(file)) == 0;
+                       system::flush_to_disk(system::descriptor_of(file));
   if (!written) return system_fault(path_, "cannot be written", errno);
   return {};
 }

@@ -1,15 +1,13 @@
 #include "lsp/frames.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <optional>
 
 #include "base/number.hpp"
+#include "base/system/files.hpp"
 #include "keyword/upper_case.hpp"
 
 namespace gapcheck::app::lsp {
@@ -27,11 +25,7 @@ std::optional<std::size_t> length_of(std::string_view value) {
 
 /// Waits for bytes; how many came, 0 at the end.
 std::size_t read_some(int descriptor, char* to, std::size_t most) {
-  ssize_t got = 0;
-  do {
-    got = ::read(descriptor, to, most);
-  } while (got < 0 && errno == EINTR);
-  return static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(system::read_some(descriptor, to, most), 0));
 }
 
 }  // namespace
@@ -124,20 +118,15 @@ Frame FrameReader::next() {
 }
 
 void enlarge_pipe(int descriptor) {
-#ifdef F_SETPIPE_SZ
   constexpr int room = 1 << 20;
-  static_cast<void>(::fcntl(descriptor, F_SETPIPE_SZ, room));
-#else
-  static_cast<void>(descriptor);
-#endif
+  system::enlarge_pipe(descriptor, room);
 }
 
 bool write_frame(int descriptor, std::string_view message) {
   const std::string header = fmt::format("Content-Length: {}\r\n\r\n", message.size());
   for (std::string_view left : {std::string_view(header), message})
     while (!left.empty()) {
-      const ssize_t written = ::write(descriptor, left.data(), left.size());
-      if (written < 0 && errno == EINTR) continue;
+      const std::ptrdiff_t written = system::write_some(descriptor, left);
       if (written <= 0) return false;
       left.remove_prefix(static_cast<std::size_t>(written));
     }

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <tuple>
 
+#include "base/system/files.hpp"
+
 namespace gapcheck::results {
 namespace {
 
@@ -72,7 +74,7 @@ Status LsdaWriter::open_member() {
   ++member_;
   if (file_) files_.back().second = id_of(file_.get());
   errno = 0;
-  file_.reset(std::fopen(member_path_.c_str(), "wbe"));
+  file_.reset(system::open_stream(member_path_, "wb"));
   error_ = errno;
   if (!file_) return failure();
   error_ = 0;
@@ -161,7 +163,7 @@ bool LsdaWriter::refer_to(std::uint64_t table) {
   std::string offset;
   put(table, offset);
   errno = 0;
-  const bool done = std::fseek(file_.get(), static_cast<long>(reference_), SEEK_SET) == 0 &&
+  const bool done = system::seek(file_.get(), reference_) &&
                     std::fwrite(offset.data(), 1, offset.size(), file_.get()) == offset.size() &&
                     std::fseek(file_.get(), 0, SEEK_END) == 0 && std::fflush(file_.get()) == 0;
   if (!done) error_ = errno != 0 ? errno : EIO;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/system/files.hpp"
 #include "results/d3plot/d3plot_state.hpp"
 #include "results/d3plot/d3plot_words.hpp"
 
@@ -50,7 +51,7 @@ Result<D3plotFamily> D3plotFamily::create(const std::string& path, std::string_v
   family.member_words_ = member_words;
   remove_family(path);
   errno = 0;
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "wb"));
+  const std::unique_ptr<std::FILE, Close> file(system::open_stream(path, "wb"));
   if (!file || !write_bytes(file.get(), first)) return not_written(path);
   family.written_.emplace_back(path, id_of(file.get()));
   return {std::move(family)};
@@ -61,7 +62,7 @@ Status D3plotFamily::open_member() {
   position_ = 0;
   if (file_) written_.back().second = id_of(file_.get());
   errno = 0;
-  file_.reset(std::fopen(member_path_.c_str(), "wb"));
+  file_.reset(system::open_stream(member_path_, "wb"));
   if (!file_) return not_written(member_path_);
   written_.emplace_back(member_path_, id_of(file_.get()));
   return {};
@@ -83,9 +84,8 @@ Status D3plotFamily::append(WordBuffer state) {
   const std::uint64_t end = position_ + state.words();
   if (end % block_of_words != 0) state.zeros(block_of_words - end % block_of_words);
   errno = 0;
-  const auto offset = static_cast<long>(position_ * static_cast<std::uint64_t>(word_bytes_));
-  if (std::fseek(file_.get(), offset, SEEK_SET) != 0 || !write_bytes(file_.get(), state.bytes()))
-    return not_written(member_path_);
+  const std::uint64_t offset = position_ * static_cast<std::uint64_t>(word_bytes_);
+  if (!system::seek(file_.get(), offset) || !write_bytes(file_.get(), state.bytes())) return not_written(member_path_);
   position_ += words;
   return {};
 }

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/file_writer.hpp"
+#include "base/system/files.hpp"
 #include "results/log/run_log.hpp"
 #include "results/log/write_messag.hpp"
 #include "solver/output/plot.hpp"
@@ -105,7 +106,7 @@ SolverStatus RunFiles::open(Text& text, const std::string& header) {
   std::filesystem::remove(text.path, ignored);
   if (!text.interval.wanted()) return {};
   errno = 0;
-  text.file.reset(std::fopen(text.path.c_str(), "wb"));
+  text.file.reset(system::open_stream(text.path, "wb"));
   if (!text.file || !write(text.file.get(), header)) return not_written(text.path);
   return {};
 }
