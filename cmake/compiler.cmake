@@ -23,6 +23,10 @@ if(GAPCHECK_CONTRACT)
 else()
   target_compile_options(gapcheck_flags INTERFACE -ffp-contract=off)
 endif()
+# On arm64 a plain char has no sign, unlike on x86-64.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+  target_compile_options(gapcheck_flags INTERFACE -fsigned-char)
+endif()
 if(GAPCHECK_SANITIZE)
   # Instrumented std::variant and std::regex look uninitialised to g++ 12.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
