@@ -35,7 +35,7 @@ bool hidden(const fs::path& path) { return path.filename().string().starts_with(
 
 /// Files that a pattern finds, sorted.
 std::vector<std::string> find_files(const std::string& argument, Diagnostics& diagnostics) {
-  const std::string pattern = fs::path(argument).lexically_normal().string();
+  const std::string pattern = fs::path(argument).lexically_normal().generic_string();
   const fs::path start = fixed_part(pattern);
   std::vector<std::string> found;
   std::error_code error;
@@ -55,7 +55,7 @@ std::vector<std::string> find_files(const std::string& argument, Diagnostics& di
     const fs::path path = start.empty() ? at->path().lexically_normal() : at->path();
     if (at->is_directory(unknown)) {
       if (hidden(path) || (!any_depth && fixed + at.depth() + 2 > parts)) at.disable_recursion_pending();
-    } else if (at->is_regular_file(unknown) && matches(pattern, path.string())) {
+    } else if (at->is_regular_file(unknown) && matches(pattern, path.generic_string())) {
       found.push_back(path.string());
     }
   }

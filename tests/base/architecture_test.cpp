@@ -37,7 +37,11 @@ const Order rooms{{"base", {}},
 
 /// The floors of a room, as in docs/architecture.md; "top" are the files of the room itself.
 const std::map<std::string, Order> floors{
-    {"base", {{"system", {}}, {"system/posix", {"system"}}, {"top", {"system/posix"}}}},
+    {"base",
+     {{"system", {}},
+      {"system/posix", {"system"}},
+      {"system/windows", {"system"}},
+      {"top", {"system/posix", "system/windows"}}}},
     {"keyword", {{"text", {}}, {"top", {"text"}}}},
     {"model",
      {{"entity", {}}, {"contact", {"entity"}}, {"top", {"contact"}}, {"read", {"top"}}, {"material", {"read"}}}},

@@ -34,13 +34,17 @@ std::string path_of(std::string_view uri) {
     path += low >= 0 ? static_cast<char>(16 * high + low) : uri[i];
     if (low >= 0) i += 2;
   }
-  return path.find('\0') == std::string::npos ? path : std::string();
+  if (path.find('\0') != std::string::npos) return {};
+  // Where drives have letters, "/C:/a" is C:/a.
+  if (path.size() > 2 && std::filesystem::path(path.substr(1)).has_root_name()) path.erase(0, 1);
+  return path;
 }
 
 std::string uri_of(const std::string& path) {
   std::error_code failed;
-  std::string uri = "file://";
-  for (const char c : std::filesystem::absolute(path, failed).lexically_normal().string())
+  const std::filesystem::path place = std::filesystem::absolute(path, failed).lexically_normal();
+  std::string uri = place.has_root_name() ? "file:///" : "file://";
+  for (const char c : place.generic_string())
     uri += unreserved(c) ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   return uri;
 }
@@ -48,7 +52,7 @@ std::string uri_of(const std::string& path) {
 std::string canonical(const std::string& path) {
   std::error_code failed;
   const auto found = std::filesystem::weakly_canonical(std::filesystem::absolute(path, failed), failed);
-  return failed ? std::filesystem::path(path).lexically_normal().string() : found.string();
+  return failed ? std::filesystem::path(path).lexically_normal().generic_string() : found.generic_string();
 }
 
 }  // namespace gapcheck::app::lsp

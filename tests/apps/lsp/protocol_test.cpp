@@ -131,6 +131,7 @@ TEST(LspUri, BlanksUmlautsAndOthers) {
   EXPECT_EQ(path_of("file://server/share"), "");
   EXPECT_EQ(path_of("file:///a%00b"), "");
   EXPECT_EQ(uri_of("/a b/T\xc3\xbcr#.k"), "file:///a%20b/T%C3%BCr%23.k");
+  EXPECT_EQ(path_of("file:///C%3A/a.k"), "/C:/a.k");  // only Windows has drives
   EXPECT_EQ(path_of(uri_of("/a b/T\xc3\xbcr#%.k")), "/a b/T\xc3\xbcr#%.k");
 }
 
