@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Builds gapcheck and check-c for machines that need nothing else, one file each: static programs for Linux on x86-64 and on
-arm64. What has machine code is built from Debian's source packages (oneTBB, GMP, MPFR, fmt, zlib), since Debian has it as a
-static library for neither all machines nor all of these; what is headers alone comes from the installed packages.
+"""Builds gapcheck and check-c for machines that need nothing else, one file each: static programs for Linux on x86-64
+and on arm64, and programs for Windows. What has machine code is built from Debian's source packages (oneTBB, GMP, MPFR,
+fmt, zlib), since Debian has no static oneTBB, and no libraries for the other machines; what is headers alone comes from
+the installed packages.
 
 usage: machines.py [MACHINE …] [--mirror URL]
 Writes the programs and SHA256SUMS to build/machines/programs. Without MACHINE: all. Needs Debian 12, the packages of
@@ -54,6 +55,7 @@ class Machine:
 ALL = [
     Machine("linux-x86-64", "x86_64-linux-gnu", "Linux", "x86_64"),
     Machine("linux-arm64", "aarch64-linux-gnu", "Linux", "aarch64"),
+    Machine("windows-x86-64", "x86_64-w64-mingw32", "Windows", "x86_64", ("gcc-posix", "g++-posix"), ".exe"),
 ]
 
 
@@ -95,7 +97,7 @@ def source(package):
 
 
 def link_headers(machine):
-    """Headers of the installed packages, and no others of this machine, into the root; the CMake packages beside them."""
+    """Headers of the installed packages, and no others of this machine, into the root, with their CMake packages."""
     include, packages = machine.root / "include", machine.root / "lib/cmake"
     for folder in (include, packages):
         folder.mkdir(parents=True, exist_ok=True)
@@ -135,12 +137,13 @@ def autotools(machine, package, *options):
     c, _ = map(machine.tool, machine.compilers)
     # Named as if this machine were another, else GMP takes the instructions of the processor that it finds.
     run([source(package) / "configure", "--build=x86_64-pc-linux-gnu", f"--host={machine.host}", "--disable-shared",
-         "--enable-static", f"--prefix={machine.root}", f"CC={c}", "CC_FOR_BUILD=gcc", "CFLAGS=-O2", *options], build, log)
+         "--enable-static", f"--prefix={machine.root}", f"CC={c}", "CC_FOR_BUILD=gcc", "CFLAGS=-O2", *options],
+        build, log)
     run(["make", f"-j{os.cpu_count()}", "install", *NO_AUTOTOOLS], build, log)
 
 
 def build_zlib(machine):
-    """Without its files that read and write files. Debian has no way of building it for Windows in its source package."""
+    """Without what reads and writes files. The source package lacks what zlib's own scripts need for Windows."""
     build = machine.folder / "zlib"
     build.mkdir(parents=True, exist_ok=True)
     log = machine.folder / "zlib.log"
