@@ -78,6 +78,8 @@ def copy_inputs(top):
     deck = (ROOT / "data/include_parameter.k").read_text().replace("include/plates_mesh.k", INCLUDE.replace("/", "\\"))
     (place / DECK).write_bytes(deck.encode())
     (place / "crlf.k").write_bytes(deck.replace("\n", "\r\n").encode())
+    # Half a surrogate, and bytes that are in no text.
+    (place / "broken.k").write_bytes(deck.replace("*END\n", "*INCLUDE\n").encode() + b"\xed\xa0\x80\xff\xc3.k\n")
 
 
 class Comparison:
@@ -137,9 +139,10 @@ def try_names(seen, windows):
     seen.same("gapcheck", ["audit", f"{PLACE}/{DECK}", "--format", "json"], other=windows and
               ["audit", f"{PLACE}\\{DECK}", "--format", "json"])
     seen.same("gapcheck", ["audit", "data/**/thickness_s*.k"], other=windows and ["audit", "data\\**\\thickness_s*.k"])
-    for name in ("crlf.k", "none ß.k"):
+    for name in ("crlf.k", "broken.k", "none ß.k"):
         seen.same("gapcheck", ["audit", name], PLACE)
-    seen.same("gapcheck", ["fix", DECK, "-o", "verschoben ü"], PLACE, f"{PLACE}/verschoben ü")
+    seen.same("gapcheck", ["fix", DECK, "-o", "verschoben 😀"], PLACE, f"{PLACE}/verschoben 😀")
+    seen.same("gapcheck", ["audit", DECK, "--output", "none/report"], PLACE)
     for top in (top for _, top in seen.sides):
         (top / "seiten ö").mkdir()
         (top / "seiten ö/größe.html").write_text("what was there before")
