@@ -10,7 +10,7 @@ endif()
 if(GAPCHECK_WERROR)
   target_compile_options(gapcheck_flags INTERFACE -Werror)
 endif()
-# The same bits from every compiler and on every machine. The proofs also hold with fused operations, as
+# The same bits from every compiler, and of audits on every machine (docs/machines.md). The proofs also hold with fused operations, as
 # GAPCHECK_CONTRACT shows. All rooms use the same flags: Eigen aligns memory by -mfma.
 if(GAPCHECK_CONTRACT)
   include(CheckCXXSourceRuns)
