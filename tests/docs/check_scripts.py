@@ -65,6 +65,7 @@ LOADED_ONLY = {
     "scripts/fresh_debian.py": "needs root, debootstrap and the network",
     "scripts/make_site.py": "needs Sphinx and Doxygen, and takes minutes",
     "scripts/slurm_campaign.py": "needs root, Slurm and munge",
+    "scripts/check_machines.py": "needs the programs of scripts/machines.py, root and emulators",
     "scripts/judge_findings.py": "needs decks that are not part of the project",
     "scripts/pictures/html_page.py": "needs Chromium",
     "tests/bench/html_page.py": "needs Chromium",
