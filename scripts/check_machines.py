@@ -291,6 +291,9 @@ def main():
     parser.add_argument("--small", action="store_true")
     parser.add_argument("--page", type=pathlib.Path)
     arguments = parser.parse_args()
+    for program in (arguments.gapcheck, arguments.check_c):
+        if not program.is_file():
+            parser.error(f"{program}: is not there; build it first, or give the path of the program")
     wine = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
     os.environ.update(WINEPREFIX=wine.name, WINEDEBUG="-all", LC_ALL="C.UTF-8")
     usual = Programs(arguments.gapcheck, arguments.check_c)
