@@ -45,12 +45,13 @@ class Browser:
         os.close(to_browser)
         os.close(from_browser)
         self.read, self.write, self.buffer = our_read, our_write, b""
-        self.number, self.session, self.errors, self.events = 0, None, [], []
+        self.number, self.session, self.errors, self.requests, self.loaded = 0, None, [], [], set()
         target = next(t for t in self.call("Target.getTargets")["targetInfos"] if t["type"] == "page")
         attached = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)
         self.session = attached["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(domain + ".enable")
+        self.call("Page.setLifecycleEventsEnabled", enabled=True)
         self.resize(width, height, dark)
 
     def resize(self, width, height, dark=False):
@@ -96,9 +97,9 @@ class Browser:
         elif method == "Runtime.consoleAPICalled" and what["type"] in ("error", "assert"):
             self.errors.append(" ".join(str(a.get("value", a.get("description"))) for a in what["args"]))
         elif method == "Network.requestWillBeSent":
-            self.events.append(what["request"]["url"][:200])
-        if method == "Page.loadEventFired":
-            self.events.append("load")
+            self.requests.append(what["request"]["url"][:200])
+        elif method == "Page.lifecycleEvent" and what["name"] == "load":
+            self.loaded.add(what["loaderId"])
 
     def call(self, method, seconds=120, **parameters):
         self.number += 1
@@ -119,10 +120,11 @@ class Browser:
     def open(self, path, seconds=120):
         """Loads a page of gapcheck; returns the seconds until its first picture is drawn, or it has said that it has none."""
         start = time.monotonic()
-        self.events.clear()
+        self.requests.clear()
         address = path if str(path).startswith("about:") else "file://" + os.path.abspath(path)
-        self.call("Page.navigate", url=address)
-        while "load" not in self.events:
+        # The browser's first empty page may end loading only now, so this waits for its own page.
+        loader = self.call("Page.navigate", url=address)["loaderId"]
+        while loader not in self.loaded:
             self.take(self.message(seconds))
         # A page whose scripts fail never draws: after a minute its errors say more than waiting would.
         self.value("new Promise(done => { const look = () => { const canvas = document.getElementById('canvas');"
@@ -149,17 +151,26 @@ class Browser:
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
 
-    def settle(self, seconds=10, different_from=None):
-        """Waits until the camera stands still, and, for a while, until it has left a place; returns where it is."""
-        end, last = time.monotonic() + seconds, None
-        while time.monotonic() < end:
-            now = self.value("document.getElementById('canvas')?.dataset.camera ?? ''")
-            patient = now == different_from and time.monotonic() < end - 2
-            if now == last and not patient:
-                return now
-            last = now
-            time.sleep(0.6)
-        raise RuntimeError("the camera does not come to rest")
+    def becomes(self, expression, seconds=60):
+        """Whether an expression of the page is true, now or within some time."""
+        end = time.monotonic() + seconds
+        while not self.value(expression):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.05)
+        return True
+
+    def settle(self, seconds=60, different_from=None):
+        """Waits until the camera stands still, and, if given, has left a place; returns where it is.
+
+        Frames are counted besides time: on a busy machine one of them may take longer than a flight should.
+        """
+        return self.value(
+            "new Promise(done => { const begin = performance.now(); let last = null, since = 0, frames = 0;"
+            "const look = now => { const at = document.getElementById('canvas')?.dataset.camera ?? '';"
+            f"if (at !== last || at === {json.dumps(different_from)}) {{ last = at; since = now; frames = 0; }}"
+            f"if ((++frames > 5 && now - since > 500) || performance.now() - begin > {1000 * seconds}) done(at);"
+            "else requestAnimationFrame(look); }; requestAnimationFrame(look); })")
 
     def picture(self, selector=None):
         """The page, or one element of it, as the bytes of a PNG file."""

@@ -7,7 +7,6 @@ usage: html_chromium.py PAGE [--large]    exit code 0: good, 1: not, 77: Chromiu
 import json
 import math
 import sys
-import time
 
 from chromium import Browser, colors, program
 
@@ -246,8 +245,7 @@ def check_links(browser, path):
     check(browser.value("location.hash") == f"#f{number}", "the address is that of the selected finding")
     last = len(data["findings"]["number"]) - 1
     browser.value(f"location.hash = '#f{data['findings']['number'][last]}'")
-    time.sleep(0.5)
-    check(last in browser.value(SELECTED), "a new address selects its finding")
+    check(browser.becomes(f"{SELECTED}.includes({last})"), "a new address selects its finding")
     browser.open("about:blank")
     browser.open(f"{path}#f{data['findings']['number'][last]}")
     check(last in browser.value(SELECTED), "the page opens on the finding of its address")
@@ -327,7 +325,7 @@ def check_page(path):
         check(foreign == 0, "nothing but the page's own elements")
         check(browser.value("window.injected === undefined"), "no script of the deck has run")
         check(browser.value("document.documentElement.scrollWidth <= innerWidth"), "1280 pixels are wide enough")
-        loaded = [url for url in browser.events if not url.startswith(("file://", "data:", "about:")) and url != "load"]
+        loaded = [url for url in browser.requests if not url.startswith(("file://", "data:", "about:"))]
         check(loaded == [], f"nothing is loaded: {loaded}")
         check(browser.errors == [], f"the console is free of errors: {browser.errors}")
 
