@@ -3,6 +3,8 @@
 #include <fmt/compile.h>
 
 #include "records/thickness_source.hpp"
+#include "report/write/json_members.hpp"
+#include "report/write/short_decimal.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -20,6 +22,14 @@ void append_segment(const Penetration& record, Out& out) {
     fmt::format_to(end, FMT_COMPILE("segment {}-{}-{}-{}"), record.segment[0], record.segment[1], record.segment[2],
                    record.segment[3]);
   if (record.element_part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.element_part);
+}
+
+/// Six digits.
+void append_length(double value, Out& out) {
+  append_by(number_room, out, [value](char* end) {
+    if (char* quick = write_six_digits(value, end)) return quick;
+    return fmt::format_to(end, FMT_COMPILE("{:.6g}"), value);
+  });
 }
 
 }  // namespace
@@ -74,7 +84,10 @@ void append_message(const Penetration& record, Out& out) {
   if (record.part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.part);
   if (record.element == 0 && record.segment[0] == 0) {  // a log that names little more than the node
     append(" penetrates", out);
-    if (record.depth > 0) fmt::format_to(end, FMT_COMPILE(" by {:.6g}"), record.depth);
+    if (record.depth > 0) {
+      append(" by ", out);
+      append_length(record.depth, out);
+    }
     return;
   }
   if (record.depth == 0 && record.contact_distance == 0) {  // a log in which neither could be read
@@ -82,8 +95,11 @@ void append_message(const Penetration& record, Out& out) {
     append_segment(record, out);
     return;
   }
-  fmt::format_to(end, FMT_COMPILE(" is {:.6g} inside the contact distance {:.6g} of "), record.depth,
-                 record.contact_distance);
+  append(" is ", out);
+  append_length(record.depth, out);
+  append(" inside the contact distance ", out);
+  append_length(record.contact_distance, out);
+  append(" of ", out);
   if (record.kind == PenetrationKind::edge_zone)
     append(record.feature == Feature::corner ? "a corner of " : "an edge of ", out);
   if (record.kind == PenetrationKind::edge) append("an edge of ", out);

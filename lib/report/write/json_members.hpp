@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "records/baseline.hpp"
+#include "report/write/short_decimal.hpp"
 
 namespace gapcheck::report {
 
@@ -36,7 +37,11 @@ template <class Write>
 /// The shortest text that reads back as the same number.
 template <class Number>
 void append_number(Number value, Buffer& out) {
-  append_by(number_room, out, [value](char* end) { return fmt::format_to(end, FMT_COMPILE("{}"), value); });
+  append_by(number_room, out, [value](char* end) {
+    if constexpr (std::is_same_v<Number, double>)
+      if (char* shorter = write_short_decimal(value, end)) return shorter;
+    return fmt::format_to(end, FMT_COMPILE("{}"), value);
+  });
 }
 
 /// Text that needs no escapes, in quotes.
