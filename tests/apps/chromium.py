@@ -172,14 +172,14 @@ class Browser:
             f"if ((++frames > 5 && now - since > 500) || performance.now() - begin > {1000 * seconds}) done(at);"
             "else requestAnimationFrame(look); }; requestAnimationFrame(look); })")
 
-    def picture(self, selector=None):
-        """The page, or one element of it, as the bytes of a PNG file."""
+    def picture(self, selector=None, scale=1):
+        """The page, or one element of it, as the bytes of a PNG file; smaller by a scale."""
         clip = {}
         if selector:
             box = self.value(f"(() => {{ const e = document.querySelector({json.dumps(selector)});"
                              "const b = e.getBoundingClientRect();"
                              "return [b.x + scrollX, b.y + scrollY, b.width, b.height]; })()")
-            clip = {"clip": dict(zip(("x", "y", "width", "height"), box), scale=1), "captureBeyondViewport": True}
+            clip = {"clip": dict(zip(("x", "y", "width", "height"), box), scale=scale), "captureBeyondViewport": True}
         return base64.b64decode(self.call("Page.captureScreenshot", format="png", **clip)["data"])
 
 

@@ -96,7 +96,7 @@ TEST_F(Html, AFileThatCannotBeWrittenIsAnError) {
 
 TEST_F(Html, ADeckInChromium) {
   ASSERT_EQ(gapcheck("audit --html page.html " + deck("two_plates_tilted.k")).code, 0);
-  expect_good("page.html");
+  expect_good("page.html --whole");
 }
 
 TEST_F(Html, BeforeAndAfterInChromium) {
@@ -130,7 +130,7 @@ TEST_F(Html, ALogInChromium) {
   const Ended run = gapcheck("messag --html page.html messag");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(content(folder_ / "page.html").find("\"model_faces\":"), std::string::npos);
-  expect_good("page.html");
+  expect_good("page.html --whole");
 }
 
 TEST_F(Html, TheMeshOfALogComesFromItsDeck) {
