@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::uint64_t, 10> powers{1,       10,        100,        1'000,       10'000,
                                                100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
 /// Smaller numbers are shorter with an exponent.
-constexpr double least = 1e-4;
+constexpr double without_exponent = 1e-4;
 
 /// digits / 10^places without zeros at its end.
 char* write_decimal(bool negative, std::uint64_t digits, int places, char* out) {
@@ -37,7 +37,7 @@ char* write_short_decimal(double value, char* out) {
   constexpr double limit = 1e7;
   const double size = std::abs(value);
   // Not a number compares as false.
-  if (!(size < limit) || (size < least && size != 0)) return nullptr;
+  if (!(size < limit) || (size < without_exponent && size != 0)) return nullptr;
   // Both the digits and the unit are exact, so their quotient is what a reader makes of the text.
   const auto digits = static_cast<std::uint64_t>(size * unit + 0.5);
   if (static_cast<double>(digits) / unit != size) return nullptr;
@@ -47,7 +47,7 @@ char* write_short_decimal(double value, char* out) {
 char* write_six_digits(double value, char* out) {
   constexpr double limit = 1e5, low = 1e5, high = 1e6;
   const double size = std::abs(value);
-  if (!(size < limit) || !(size >= least)) return nullptr;
+  if (!(size < limit) || !(size >= without_exponent)) return nullptr;
   std::size_t places = 1;
   while (places + 1 < powers.size() && size * static_cast<double>(powers[places]) < low) ++places;
   const double scaled = size * static_cast<double>(powers[places]);
