@@ -271,20 +271,6 @@ CardOrder card_order(const Text& text, const Keyword& keyword) {
   return card_order(keyword.name, keyword.format, text, text.start_of(keyword.line + 1));
 }
 
-CardLine card_at(const Text& text, std::span<const Keyword> outline, std::uint32_t line) {
-  CardLine card{keyword_at(outline, line), nullptr, 0};
-  if (card.keyword == nullptr || line == card.keyword->line) return card;
-  const CardOrder order = card_order(text, *card.keyword);
-  // Where one card repeats, it does not matter how often.
-  const std::size_t enough = order.cycle.size() == 1 ? order.head.size() : static_cast<std::size_t>(-1);
-  text.for_each_line(card.keyword->line + 1, line, [&](std::uint32_t, std::string_view each) {
-    if (!each.starts_with('$')) ++card.row;
-    return card.row < enough;
-  });
-  if (!text.line(line).starts_with('$')) card.layout = order.at(card.row);
-  return card;
-}
-
 std::string called(const CardLayout& layout) {
   if (layout.name.starts_with("card")) return "card " + layout.name.substr(4);
   return layout.name.size() == 1 ? "card " + layout.name : "card of " + layout.name;

@@ -38,15 +38,6 @@ inline constexpr std::size_t deciding_rows = 24;
 /// The known keyword whose cards a name has; nullptr: none.
 [[nodiscard]] const keyword::KeywordLayout* layout_of(std::string_view name);
 
-/// A line that is a card.
-struct CardLine {
-  const Keyword* keyword = nullptr;
-  const keyword::CardLayout* layout = nullptr;  ///< nullptr: not a data line, or not known
-  std::size_t row = 0;                          ///< how many data lines of the keyword come before it
-};
-
-[[nodiscard]] CardLine card_at(const Text& text, std::span<const Keyword> outline, std::uint32_t line);
-
 /// What a card is called: "card 2", "card A", "card ID".
 [[nodiscard]] std::string called(const keyword::CardLayout& layout);
 

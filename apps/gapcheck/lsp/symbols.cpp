@@ -111,7 +111,12 @@ std::optional<Kind> kind_of(std::string_view keyword, const Field& field) {
       return set_named_by(keyword, field.name);
     case IdKind::define:
       if (field.name.find("box") != std::string::npos) return Kind::box;
-      if (field.name.starts_with("vid")) return Kind::vector;
+      if (field.name.starts_with("vid")) {
+        // Those of springs are of *DEFINE_SD_ORIENTATION.
+        const bool of_springs =
+            begins_with(keyword, "ELEMENT_DISCRETE") || begins_with(keyword, "DEFINE_SD_ORIENTATION");
+        return of_springs ? std::nullopt : std::optional(Kind::vector);
+      }
       return field.name.starts_with("tran") ? Kind::transformation : Kind::system;
     case IdKind::other:
       if (field.name == "secid") return Kind::section;
@@ -311,11 +316,11 @@ void for_each_occurrence(const FileView& file, const Symbol& symbol, Reach reach
     if (!go_on) return;
     if (!worth_reading(keyword, symbol, reach)) continue;
     const bool of_parameters = begins_with(keyword.name, "PARAMETER");
-    const CardOrder order = card_order(*file.text, keyword);
+    LineCards cards(*file.text, keyword);
     CardLine card{&keyword, nullptr, 0};
     file.text->for_each_line(keyword.line + 1, keyword.end, [&](std::uint32_t number, std::string_view line) {
       if (line.starts_with('$')) return true;
-      card.layout = order.at(card.row++);
+      card.layout = cards.next(line);
       if (card.layout == nullptr || (!of_parameters && !may_hold(line, texts))) return true;
       for (const Occurrence& each : occurrences(file, card, line, number))
         if (each.symbol.same(symbol)) go_on = go_on && visit(each);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lsp/card_order.hpp"
+#include "lsp/line_cards.hpp"
 #include "lsp/scope.hpp"
 
 namespace gapcheck::app::lsp {

@@ -52,17 +52,5 @@ TEST(LspCardOrder, AnotherLawIsAnotherMaterial) {
   EXPECT_EQ(layout_of("MAT_ELASTIC_TITLE")->name, "MAT_ELASTIC");
 }
 
-TEST(LspCardOrder, LinesOfAText) {
-  const Text text("$\n*PART\n$ c\nname\n 1\n*END\n 1\n");
-  const auto keywords = outline(text);
-  ASSERT_EQ(keywords.size(), 2U);
-  EXPECT_EQ(card_at(text, keywords, 0).keyword, nullptr);
-  EXPECT_EQ(card_at(text, keywords, 1).layout, nullptr);
-  EXPECT_EQ(card_at(text, keywords, 2).layout, nullptr);
-  ASSERT_NE(card_at(text, keywords, 4).layout, nullptr);
-  EXPECT_EQ(card_at(text, keywords, 4).layout->fields.front().name, "pid");
-  EXPECT_EQ(card_at(text, keywords, 6).layout, nullptr);
-}
-
 }  // namespace
 }  // namespace gapcheck::app::lsp

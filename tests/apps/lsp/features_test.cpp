@@ -4,111 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 
-#include "folder_test.hpp"
-#include "lsp/audit_job.hpp"
-#include "lsp/uri.hpp"
-#include "lsp/workspace.hpp"
+#include "apps/lsp/features_deck.hpp"
 
 namespace gapcheck::app::lsp {
 namespace {
-
-constexpr const char* main_text =
-    "*KEYWORD\n"                                  // 0
-    "*PARAMETER\n"                                // 1
-    "R        t       0.5I      pid         2\n"  // 2
-    "*INCLUDE\n"                                  // 3
-    "parts.k\n"                                   // 4
-    "*SET_PART_LIST_TITLE\n"                      // 5
-    "all plates\n"                                // 6
-    "         7\n"                                // 7
-    "         1      &pid\n"                      // 8
-    "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n"      // 9
-    "         3plates against plates\n"           // 10
-    "         7         0         2\n"            // 11
-    "        &t\n"                                // 12
-    "                              &t+2*&t\n"     // 13
-    "*DEFINE_CURVE\n"                             // 14
-    "        11\n"                                // 15
-    "0.,0.\n"                                     // 16
-    "*END\n";                                     // 17
-constexpr const char* parts_text =
-    "*PART\n"                                                      // 0
-    "lower plate\n"                                                // 1
-    "         1         4         5\n"                             // 2
-    "upper plate\n"                                                // 3
-    "         2         4         5\n"                             // 4
-    "*SECTION_SHELL\n"                                             // 5
-    "         4         2\n"                                       // 6
-    "1.0,1.0,1.0,1.0\n"                                            // 7
-    "*MAT_ELASTIC_TITLE\n"                                         // 8
-    "steel\n"                                                      // 9
-    "         5   7.8E-6     210.0       0.3\n"                    // 10
-    "*ELEMENT_SHELL\n"                                             // 11
-    "       1       1       1       2       3       4\n"           // 12
-    "       2       2       1       2       3       4\n"           // 13
-    "*NODE\n"                                                      // 14
-    "       1             0.0             0.0             0.0\n";  // 15
-
-/// A deck of two files, as a workspace has it.
-class LspFeatures : public FolderTest {
- protected:
-  void SetUp() override {
-    FolderTest::SetUp();
-    write("main.k", main_text);
-    write("parts.k", parts_text);
-    main_ = &workspace_.open(uri("main.k"), 1, main_text);
-    parts_ = &workspace_.open(uri("parts.k"), 1, parts_text);
-    const auto deck = deck_for_editor(path("main.k"), {}, {});
-    ASSERT_NE(deck, nullptr);
-    workspace_.set_deck(path("main.k"), deck);
-  }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return canonical((folder_ / name).string()); }
-  [[nodiscard]] std::string uri(const std::string& name) const { return uri_of(path(name)); }
-  template <class Ask>
-  auto ask(const Document& document, const Ask& ask) {
-    const DeckFiles files = workspace_.files(document);
-    return ask(Question{files, Encoding::utf16});
-  }
-  std::string hovered(const Document& document, Place place) {
-    const json said = ask(document, [&](const Question& q) { return hover(q, place); });
-    return said.is_null() ? "" : said["contents"]["value"].get<std::string>();
-  }
-  std::vector<std::string> completed(const std::string& line) {
-    Document& document = workspace_.open(uri("new.k"), 1, line);
-    const auto at = static_cast<std::uint32_t>(line.size());
-    const json said = ask(document, [&](const Question& q) { return completion(q, {0, at}); });
-    std::vector<std::string> labels;
-    if (!said.is_null())
-      for (const json& item : said["items"]) labels.push_back(item["label"]);
-    return labels;
-  }
-  /// "main.k:8:19-23" of a location.
-  [[nodiscard]] std::string place(const json& location) const {
-    if (location.is_null()) return "";
-    const json& range = location["range"];
-    return std::filesystem::path(path_of(location["uri"].get<std::string>())).filename().string() + ":" +
-           range["start"]["line"].dump() + ":" + range["start"]["character"].dump() + "-" +
-           range["end"]["character"].dump();
-  }
-  std::string defined(const Document& document, Place at) {
-    return place(ask(document, [&](const Question& q) { return definition(q, at); }));
-  }
-  std::vector<std::string> referenced(const Document& document, Place at) {
-    std::vector<std::string> places;
-    for (const json& each : ask(document, [&](const Question& q) { return references(q, at, true); }))
-      places.push_back(place(each));
-    std::sort(places.begin(), places.end());
-    return places;
-  }
-  Workspace workspace_;
-  Document *main_ = nullptr, *parts_ = nullptr;
-};
 
 using Strings = std::vector<std::string>;
 
@@ -205,49 +105,6 @@ TEST_F(LspFeatures, DefinitionsAndReferences) {
   EXPECT_EQ(referenced(*parts_, {15, 7}), Strings({"parts.k:12:23-24", "parts.k:13:23-24", "parts.k:15:7-8"}));
 }
 
-TEST_F(LspFeatures, Rename) {
-  const auto renamed = [&](const Document& document, Place at, const std::string& name) {
-    const auto result = ask(document, [&](const Question& q) { return rename(q, at, name); });
-    if (!result) return result.error().message;
-    std::string all;
-    for (const auto& [file, edits] : result.value()["changes"].items())
-      for (const json& edit : edits)
-        all += place({{"uri", file}, {"range", edit["range"]}}) + " '" + edit["newText"].get<std::string>() + "'\n";
-    return all;
-  };
-  // The lines of elements too, each in its columns.
-  EXPECT_EQ(renamed(*main_, {8, 9}, "1001"), "main.k:8:6-10 '1001'\nparts.k:2:6-10 '1001'\nparts.k:12:12-16 '1001'\n");
-  EXPECT_EQ(renamed(*parts_, {10, 9}, "77"), "parts.k:2:28-30 '77'\nparts.k:4:28-30 '77'\nparts.k:10:8-10 '77'\n");
-  EXPECT_EQ(renamed(*main_, {12, 9}, "tt"), "main.k:2:8-10 'tt'\nmain.k:12:7-10 '&tt'\nmain.k:13:30-37 '&tt+2*&tt'\n");
-  EXPECT_EQ(renamed(*main_, {12, 9}, "thick"),
-            "line 14 of " + path("main.k") + " has 10 columns for it, too few for &thick+2*&t");
-  EXPECT_EQ(renamed(*main_, {8, 9}, "2"), "part 2 is there already, in line 5 of " + path("parts.k"));
-  EXPECT_EQ(renamed(*main_, {8, 9}, "x"), "an id is a whole number above 0");
-  EXPECT_EQ(renamed(*main_, {8, 9}, "0"), "an id is a whole number above 0");
-  EXPECT_EQ(renamed(*main_, {8, 9}, "123456789"),
-            "line 13 of " + path("parts.k") + " has 8 columns for it, too few for 123456789");
-  EXPECT_EQ(renamed(*parts_, {4, 9}, "9"),
-            "line 9 of " + path("main.k") + " gives it by a parameter; change the value of the parameter");
-  EXPECT_EQ(renamed(*main_, {0, 2}, "9"), "there is no id or parameter here that can get another name");
-  // Lines whose cards are not told apart may name it: no rename is better than half of one.
-  const auto with = [&](const std::string& more) {
-    Workspace::set_text(*parts_, Text(parts_text + more));
-    return renamed(*main_, {8, 9}, "77");
-  };
-  const std::string why = " may name 1 or 77, in a way that is not understood; change it by hand";
-  EXPECT_EQ(with("*ELEMENT_SHELL_THICKNESS\n       3       2       2       2       3       4\n1.0,1.0,1.0,1.0\n"
-                 "       4       1       2       2       3       4\n1.0,1.0,1.0,1.0\n"),
-            "line 19 of " + path("parts.k") + " in *ELEMENT_SHELL_THICKNESS" + why);
-  EXPECT_EQ(with("*SET_PART_LIST_GENERATE\n        20\n        70        80\n"),
-            "line 19 of " + path("parts.k") + " in *SET_PART_LIST_GENERATE" + why);
-  EXPECT_EQ(with("*DEFORMABLE_TO_RIGID\n         1\n"),
-            "line 18 of " + path("parts.k") + " in *DEFORMABLE_TO_RIGID" + why);
-  EXPECT_EQ(with("*DEFORMABLE_TO_RIGID\n        11\n"),
-            "main.k:8:8-10 '77'\nparts.k:2:8-10 '77'\nparts.k:12:14-16 '77'\n");
-  Workspace::set_text(*parts_, Text("*PARAMETER_EXPRESSION\nR        s 2*t\n" + std::string(parts_text)));
-  EXPECT_EQ(renamed(*main_, {12, 9}, "tt"), "line 2 of " + path("parts.k") + " has it without &; change it by hand");
-}
-
 TEST_F(LspFeatures, Outline) {
   const json symbols = ask(*parts_, [](const Question& q) { return document_symbols(q); });
   ASSERT_EQ(symbols.size(), 5U);
@@ -276,6 +133,25 @@ TEST_F(LspFeatures, FormattingOfCards) {
                             "9:       2               1               1               1"}));
   // In a line with a number too long for its columns, and one with a field across columns, nothing changes.
   EXPECT_TRUE(ask(document, [](const Question& q) { return format_lines(q, 3, 9); }).empty());
+}
+
+/// The second element of a keyword with two lines each has the cards of the first.
+TEST_F(LspFeatures, ElementsWithSeveralLines) {
+  Document& document = workspace_.open(
+      uri("new.k"), 1, "*ELEMENT_SHELL_THICKNESS\n1,1,1,2,3,4\n1.,1.,1.,1.\n2,1,1,2,3,4\n.5,.5,.5,.5\n");
+  const std::string quad = "       1       1       2       3       4", thick(14, ' ');
+  const auto lines = [&](std::uint32_t first) {
+    Strings texts;
+    for (const json& edit : ask(document, [&](const Question& q) { return format_lines(q, first, 100); }))
+      texts.push_back(edit["newText"]);
+    return texts;
+  };
+  const Strings second{"       2" + quad, thick + ".5" + thick + ".5" + thick + ".5" + thick + ".5"};
+  EXPECT_EQ(lines(3), second);
+  ASSERT_EQ(lines(0).size(), 4U);
+  EXPECT_EQ(lines(0)[2], second[0]);
+  EXPECT_TRUE(hovered(document, {3, 2}).starts_with("**PID**, card 1 of *ELEMENT_SHELL_THICKNESS\n\nvalue 2 of"));
+  EXPECT_TRUE(hovered(document, {4, 0}).starts_with("**THIC1**, card 1.2 of *ELEMENT_SHELL_THICKNESS\n\nvalue 1 of"));
 }
 
 TEST_F(LspFeatures, CodeActions) {

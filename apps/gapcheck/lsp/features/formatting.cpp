@@ -1,8 +1,8 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "base/number.hpp"
-#include "lsp/card_order.hpp"
 #include "lsp/features/features.hpp"
 
 namespace gapcheck::app::lsp {
@@ -43,8 +43,7 @@ json format_lines(const Question& question, std::uint32_t first, std::uint32_t b
   const FileView& file = question.file();
   behind = std::min({behind, text.lines(), first + std::min(most_lines, text.lines())});
   const Keyword* keyword = nullptr;
-  CardOrder order;
-  std::size_t row = 0;
+  std::optional<LineCards> cards;
   keyword::Block block;
   Diagnostics ignored;
   text.for_each_line(first, behind, [&](std::uint32_t number, std::string_view line) {
@@ -52,13 +51,12 @@ json format_lines(const Question& question, std::uint32_t first, std::uint32_t b
     if (own == nullptr) return true;
     if (own != keyword) {
       keyword = own;
-      order = card_order(text, *keyword);
-      row = card_at(text, *file.outline, number).row;
+      cards.emplace(text, *keyword).skip_to(number);
       block = file.scope.block(*keyword);
       if (number == keyword->line) return true;
     }
     if (line.starts_with('$') || number == keyword->line) return true;
-    const keyword::CardLayout* layout = order.at(row++);
+    const keyword::CardLayout* layout = cards->next(line);
     if (layout == nullptr || trimmed(line).empty()) return true;
     const keyword::Card card(file.scope.deck(), block, *layout, line, number + 1, ignored);
     const std::string formatted = in_columns(card, *layout);

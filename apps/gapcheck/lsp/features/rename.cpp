@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
+#include <variant>
 
 #include "base/number.hpp"
 #include "keyword/parameters.hpp"
@@ -51,12 +53,9 @@ std::set<std::string> files_read_twice(const FileView& file) {
 }
 
 /// Keywords that name things in lines which the card layouts do not tell apart.
-bool is_unsure(const Keyword& keyword, const Text& text) {
-  const std::string_view name = keyword.name;
-  if (name.starts_with("DEFORMABLE_TO_RIGID") || name.starts_with("RIGID_DEFORMABLE") ||
-      name.starts_with("INITIAL_VELOCITY_GENERATION") || name.find("_GENERATE") != std::string_view::npos)
-    return true;
-  return name.starts_with("ELEMENT") && !card_order(text, keyword).checked;
+bool is_unsure(std::string_view name) {
+  return name.starts_with("DEFORMABLE_TO_RIGID") || name.starts_with("RIGID_DEFORMABLE") ||
+         name.starts_with("INITIAL_VELOCITY_GENERATION") || name.find("_GENERATE") != std::string_view::npos;
 }
 
 /// True if the line holds the number as a whole, not as digits of a longer one.
@@ -82,20 +81,60 @@ bool in_range(std::string_view line, std::int64_t id) {
   return false;
 }
 
+/// Calls visit(name in lower case) for each parameter in a line until it returns true, as any_of.
+bool any_parameter(std::string_view line, const std::function<bool(const std::string&)>& visit) {
+  for (std::size_t at = line.find('&'); at != std::string_view::npos; at = line.find('&', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < line.size() && in_name(line[end])) ++end;
+    if (visit(lower_case(line.substr(at + 1, end - at - 1)))) return true;
+  }
+  return false;
+}
+
+/// Whether the value of a parameter in a line is that whole number.
+bool gives(const FileView& file, const keyword::Block& block, std::string_view line, std::int64_t number) {
+  return any_parameter(line, [&](const std::string& name) {
+    const keyword::ParameterValue* value = file.scope.deck().parameters().find(name, block.scope, block.order);
+    return value != nullptr && std::holds_alternative<std::int64_t>(*value) && std::get<std::int64_t>(*value) == number;
+  });
+}
+
+/// A line of a card that is not known, with the parameter in it; empty: there is none.
+std::string unread_line(const FileView& file, const std::string& name) {
+  std::string where;
+  for (const Keyword& keyword : *file.outline) {
+    LineCards cards(*file.text, keyword);
+    file.text->for_each_line(keyword.line + 1, keyword.end, [&](std::uint32_t number, std::string_view line) {
+      if (line.starts_with('$') || cards.next(line) != nullptr) return true;
+      if (any_parameter(line, [&](const std::string& each) { return each == name; }))
+        where = fmt::format("line {} of {} in *{} has it in a card that is not known; change it by hand", number + 1,
+                            file.path, keyword.name);
+      return where.empty();
+    });
+    if (!where.empty()) break;
+  }
+  return where;
+}
+
 /// A line that may name one of the ids although the layouts do not say so; empty: there is none.
 std::string unsure_line(const FileView& file, std::int64_t from, std::int64_t to) {
   std::string where;
   const std::set<std::int64_t> offsets = file.scope.offsets();
   for (const Keyword& keyword : *file.outline) {
-    if (!where.empty() || !is_unsure(keyword, *file.text)) continue;
+    const bool all = is_unsure(keyword.name);
+    if (!where.empty() || !(all || keyword.name.starts_with("ELEMENT"))) continue;
+    LineCards cards(*file.text, keyword);
+    const keyword::Block block = file.scope.block(keyword);
     const bool ranges = keyword.name.find("_GENERATE") != std::string::npos;
     const auto names = [&](std::string_view line, std::int64_t offset) {
-      return has_number(line, std::to_string(from - offset)) ||
+      return has_number(line, std::to_string(from - offset)) || gives(file, block, line, from - offset) ||
              (ranges && (in_range(line, from - offset) || in_range(line, to - offset)));
     };
     file.text->for_each_line(keyword.line + 1, keyword.end, [&](std::uint32_t number, std::string_view line) {
+      if (line.starts_with('$')) return true;
+      const bool known = cards.next(line) != nullptr && cards.sure();
       const bool found =
-          !line.starts_with('$') &&
+          (all || !known) &&
           (names(line, 0) || std::ranges::any_of(offsets, [&](std::int64_t o) { return names(line, o); }));
       if (found)
         where =
@@ -238,6 +277,7 @@ Result<json> rename(const Question& question, Place place, const std::string& na
     });
     if (fault.empty())
       fault = to.kind == Kind::parameter ? bare_name(file, at->symbol.name) : unsure_line(file, at->symbol.id, to.id);
+    if (fault.empty() && to.kind == Kind::parameter) fault = unread_line(file, at->symbol.name);
     count += edits.size();
     if (!edits.empty()) changes[uri_of(file.path)] = edits.list(question.encoding);
     return fault.empty();
