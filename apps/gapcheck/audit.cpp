@@ -76,6 +76,11 @@ void add_deck_output(CLI::App& command, AuditArguments& arguments) {
       .add_flag("--portability", arguments.audit.portability,
                 "Also list contact keywords, options and fields that other programs do not read")
       ->group("Output");
+  command
+      .add_flag("--fixes", arguments.fixes,
+                "With --format sarif: what repairs would write, each tried and audited, as fixes of the findings")
+      ->excludes(command.get_option("--as-if"))
+      ->group("Output");
 }
 
 void add_work(CLI::App& command, AuditArguments& arguments) {
@@ -106,6 +111,7 @@ void add_campaign(CLI::App& command, AuditArguments& arguments, std::string& sha
                   "Keep what is found in each deck there: for gapcheck merge, and to continue after an interruption")
       ->type_name("FILE")
       ->group("Campaigns");
+  for (const char* option : {"--shard", "--results"}) command.get_option(option)->excludes("--fixes");
 }
 
 /// The local day, not UTC: ignores apply until the end of their last day.
@@ -181,6 +187,8 @@ void add_audit(CLI::App& app, Action& action) {
       arguments->baseline.by_settings = arguments->baseline.compare.empty();
       Diagnostics faults;
       use_settings_of(arguments->decks.front(), *arguments, *command, faults);
+      if (arguments->fixes && arguments->output.format != "sarif")
+        faults.add(plain_error("--fixes are fixes of SARIF; give --format sarif too"));
       print(faults, false);
       if (faults.has_errors()) return static_cast<int>(failed);
       arguments->audit.scene = !arguments->output.html.empty();

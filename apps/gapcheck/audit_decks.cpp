@@ -18,6 +18,7 @@
 #include "commands.hpp"
 #include "common/version.hpp"
 #include "deck_list.hpp"
+#include "fix/finding_fixes.hpp"
 #include "keyword/file_cache.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
@@ -227,6 +228,7 @@ class Run {
     Failures failures(print);
     failures.count(diagnostics);
     write_own_files(own, !diagnostics.has_errors(), report, failures);
+    if (own.fixes) find_fixes(own, report);
     audited.report = &report;
     audited.failed = failures.any();
     failures_.count(failures);
@@ -251,6 +253,17 @@ class Run {
     report.scene.reset();
     report.mesh.reset();
     for (Finding& finding : report.findings) finding.members = {};
+  }
+
+  /// The fixes of the report's findings; a deck whose repairs cannot be listed has none.
+  void find_fixes(const AuditArguments& own, const Report& report) {
+    results_.plans.emplace_back();
+    if (!repairable(report)) return;
+    const Progress progress("trying repairs of " + report::printable(report.input), !own.output.text.quiet);
+    if (auto plan = plan_of_cards(report.input, own.audit.read))
+      results_.plans.back() = std::move(plan).value();
+    else if (!own.output.text.quiet)
+      print(Diagnostic{Severity::note, report.input, 0, "no fixes: " + plan.error().message});
   }
 
   void unread(const Diagnostic& why, AuditedDeck& audited) {

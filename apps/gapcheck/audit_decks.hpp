@@ -28,6 +28,7 @@ struct AuditArguments {
   Shard shard;          ///< which of the decks
   SettingsOptions settings_file;
   Settings settings;       ///< what that file says besides options
+  bool fixes = false;      ///< repairs are tried, for SARIF
   bool selection = false;  ///< the command line leaves something out; what settings leave out does not count
   std::size_t jobs = 0;
 };

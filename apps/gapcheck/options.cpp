@@ -123,11 +123,12 @@ void write_text(const report::Reports& reports, const OutputOptions& options, Ou
 }
 
 /// In one of the machine-readable formats.
-void write_format(const report::Reports& reports, const OutputOptions& options, const report::Sink& sink) {
+void write_format(const report::Reports& reports, const OutputOptions& options,
+                  std::span<const report::FindingFixes> fixes, const report::Sink& sink) {
   const std::size_t top = options.text.list ? std::numeric_limits<std::size_t>::max() : options.text.top;
   const std::optional<Severity> limit = limit_of(options.fail_on);
   if (options.format == "json") report::json(reports, sink, options.text.stats);
-  if (options.format == "sarif") report::sarif(reports, version(), rule_texts(), sink);
+  if (options.format == "sarif") report::sarif(reports, version(), rule_texts(), sink, fixes);
   if (options.format == "junit") report::junit(reports, limit ? &*limit : nullptr, top, sink);
   if (options.format == "github") report::github(reports, top, sink);
   if (options.format == "gitlab") report::gitlab(reports, sink);
@@ -152,13 +153,14 @@ Status write_page(const Report& report, const OutputOptions& options, const repo
   return write_file(options.html, report::html(report, position, page));
 }
 
-Status write(const report::Reports& reports, const OutputOptions& options) {
+Status write(const report::Reports& reports, const OutputOptions& options,
+             std::span<const report::FindingFixes> fixes) {
   say_ignored(reports, options);
   Output output(options.output);
   if (options.format == "text") {
     write_text(reports, options, output);
   } else {
-    write_format(reports, options, [&output](std::string_view piece) { return output.write(piece); });
+    write_format(reports, options, fixes, [&output](std::string_view piece) { return output.write(piece); });
     if (options.text.stats)
       for (const Report& report : reports.all) {
         if (reports.several()) std::fputs((report::printable_path(report.input) + "\n").c_str(), stderr);

@@ -3,6 +3,7 @@
 #include <CLI/Option.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "keyword/deck.hpp"
 #include "records/report.hpp"
 #include "report/export/exports.hpp"
+#include "report/format/formats.hpp"
 #include "report/write/writers.hpp"
 
 namespace gapcheck::app {
@@ -45,8 +47,9 @@ struct OutputOptions {
 };
 void add_output(CLI::App& command, OutputOptions& options);
 
-/// Writes the results of one report or of several.
-[[nodiscard]] Status write(const report::Reports& reports, const OutputOptions& options);
+/// Writes the results of one report or of several. `fixes`: of each report, for SARIF; or of none.
+[[nodiscard]] Status write(const report::Reports& reports, const OutputOptions& options,
+                           std::span<const report::FindingFixes> fixes = {});
 
 /// Writes the page if requested. `position` may be empty.
 [[nodiscard]] Status write_page(const Report& report, const OutputOptions& options,

@@ -221,6 +221,39 @@ def check_fixes(checker):
     return fixes
 
 
+def check_fixes_of_findings(checker):
+    """audit --fixes: the results are those without it, and their fixes those of the plan, each with the first finding of
+    its rule and pair of parts."""
+    fixes, rules = 0, set()
+    for deck in sorted((checker.root / "data").glob("*.k")):
+        name = str(deck.relative_to(checker.root))
+        plain = json.loads(checker.write(["audit", name], "sarif")[0])
+        log = json.loads(checker.write(["audit", name, "--fixes"], "sarif")[0])
+        if checker.public:
+            checker.public.validate(log)
+        read_sarif(log, sarif_om.SarifLog)
+        of_plan = json.loads(subprocess.run([checker.gapcheck, "fix", name, "--plan", "--format", "sarif"],
+                                            capture_output=True, cwd=checker.root, check=False).stdout or "{}")
+        planned = [fix for result in of_plan["runs"][0]["results"] for fix in result["fixes"]] if of_plan else []
+        seen = set()
+        for result in log["runs"][0]["results"]:
+            for fix in result.pop("fixes", []):
+                key = (result["ruleId"], fix["description"]["text"])
+                assert fix in planned and key not in seen, f"{name}: {key}"
+                seen.add(key)
+                rules.add(result["ruleId"])
+                fixes += 1
+        assert log == plain, f"{name}: --fixes adds nothing but fixes"
+    assert fixes > 100 and {"GC101", "GC308"} <= rules, (fixes, rules)
+    run = subprocess.run([checker.gapcheck, "audit", "data/two_plates.k", "--fixes"], capture_output=True,
+                         cwd=checker.root, text=True)
+    assert run.returncode == 2 and "--format sarif" in run.stderr, run.stderr
+    decks = ["data/two_plates.k", "data/t_joint.k"]
+    several = json.loads(checker.write(["audit", *decks, "--fixes"], "sarif")[0])
+    of_decks = {result["analysisTarget"]["uri"] for result in several["runs"][0]["results"] if "fixes" in result}
+    assert of_decks == {"data/two_plates.k"}, of_decks
+
+
 def check_start(gapcheck, root):
     """The start of every deck, as it runs and as it is written."""
     schema = json.loads((root / "docs/schema/gapcheck-start-1.schema.json").read_text())
@@ -384,6 +417,7 @@ def main():
     check_repairs(checker.gapcheck, checker.root)
     check_start(checker.gapcheck, checker.root)
     fixes = check_fixes(checker)
+    check_fixes_of_findings(checker)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300

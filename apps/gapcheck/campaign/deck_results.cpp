@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "audit/repair/finding_repairs.hpp"
 #include "commands.hpp"
 
 namespace gapcheck::app {
@@ -38,7 +39,10 @@ int write_results(const DeckResults& results, const OutputOptions& output, const
                   Failures& failures) {
   const report::Reports reports(results.reports, results.unread);
   write(reports, overview, failures);
-  failures.add(write(reports, output));
+  std::vector<report::FindingFixes> fixes;
+  for (std::size_t i = 0; i < results.plans.size(); ++i)
+    fixes.push_back(audit::solving_repairs(results.plans[i], results.reports[i]));
+  failures.add(write(reports, output, fixes));
   if (failures.any()) return failed;
   int code = clean;
   for (const Report& report : results.reports) code = std::max(code, exit_code(report, output.fail_on));

@@ -5,6 +5,7 @@
 
 #include "common/failures.hpp"
 #include "options.hpp"
+#include "records/repair_plan.hpp"
 #include "records/report.hpp"
 #include "report/write/writers.hpp"
 
@@ -14,6 +15,7 @@ namespace gapcheck::app {
 struct DeckResults {
   std::vector<Report> reports;
   std::vector<report::Unread> unread;
+  std::vector<RepairPlan> plans;  ///< of each report; empty: they were not asked for
 };
 
 /// Contacts and parts that a call asked for.

@@ -7,12 +7,14 @@
 #include <optional>
 #include <utility>
 
+#include "audit/repair/deck_edits.hpp"
 #include "audit/repair/repair_plan.hpp"
 #include "base/parallel.hpp"
 #include "changed_files.hpp"
 #include "commands.hpp"
 #include "common/file_guard.hpp"
 #include "common/version.hpp"
+#include "fix/repaired_input.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
@@ -22,54 +24,15 @@
 namespace gapcheck::app {
 namespace {
 
-/// A deck whose repairs are tried: it is read again with other texts, its other files from memory.
-class RepairedInput {
- public:
-  explicit RepairedInput(const FixArguments& arguments) : arguments_(arguments) {}
-
-  /// `texts` must outlive the deck.
-  [[nodiscard]] Result<keyword::Deck> read(const std::map<std::string, std::string>& texts, Diagnostics& diagnostics) {
-    keyword::ReadOptions options = arguments_.read;
-    options.cache = &cache_;
-    options.replaced = &texts;
-    return keyword::read_deck(arguments_.deck, options, diagnostics);
-  }
-
- private:
-  const FixArguments& arguments_;
-  keyword::FileCache cache_;
-};
-
 Status write_report(const FixArguments& arguments, const std::string& text) {
   Output output(arguments.output);
   output.write(text);
   return output.close();
 }
 
-/// True if a line of a file ends with CR LF. A last line without an end is as the others.
-bool ends_with_return(std::string_view bytes, std::uint32_t number) {
-  const std::string_view line = keyword::LineIndex(bytes).line(number);
-  if (line.data() == nullptr) return false;
-  const std::string_view behind = bytes.substr(static_cast<std::size_t>(line.data() - bytes.data()) + line.size());
-  return behind.starts_with('\r') || (behind.empty() && bytes.find("\r\n") != std::string_view::npos);
-}
-
-/// Gives the lines that a repair adds the line ends that `--apply` would write: who reads SARIF puts texts in as they
-/// are.
-void take_line_ends(const keyword::Deck& deck, RepairLine& line) {
-  std::string& text = line.after;
-  const auto file = std::ranges::find(deck.files(), line.file, &keyword::SourceFile::path);
-  if (text.find('\n') == std::string::npos || file == deck.files().end()) return;
-  if (!ends_with_return(file->bytes, line.line)) return;
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
-    text.insert(at, 1, '\r');
-}
-
 std::string text_of(const keyword::Deck& deck, RepairPlan& plan, const FixArguments& arguments) {
   if (arguments.format == "sarif") {
-    for (RepairPair& pair : plan.pairs)
-      for (Repair& repair : pair.repairs)
-        for (RepairLine& line : repair.lines) take_line_ends(deck, line);
+    audit::take_line_ends(deck, plan);
     return report::plan_sarif(plan, version());
   }
   return arguments.format == "json" ? report::plan_json(plan) : report::plan_text(plan, arguments.text);
@@ -177,10 +140,8 @@ int repair_deck(const FixArguments& arguments) {
     print(plain_error("give a directory for the changed files with -o, or --dry-run"));
     return failed;
   }
-  RepairedInput input(arguments);
-  const audit::Reread reread = [&](const auto& texts, Diagnostics& diagnostics) {
-    return input.read(texts, diagnostics);
-  };
+  RepairedInput input(arguments.deck, arguments.read);
+  const audit::Reread reread = input.reread();
   Diagnostics diagnostics;
   std::optional<Progress> progress;
   progress.emplace("trying repairs of " + report::printable(arguments.deck), !arguments.text.quiet);

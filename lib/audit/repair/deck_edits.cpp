@@ -11,6 +11,13 @@ void add_lines(std::string& to, std::string_view text) {
   to += text;
 }
 
+/// True if a line of a file ends with CR LF. A last line without an end is as the others.
+bool ends_with_return(std::string_view bytes, std::string_view line) {
+  if (line.data() == nullptr) return false;
+  const std::string_view behind = bytes.substr(static_cast<std::size_t>(line.data() - bytes.data()) + line.size());
+  return behind.starts_with('\r') || (behind.empty() && bytes.find("\r\n") != std::string_view::npos);
+}
+
 }  // namespace
 
 Status DeckEdits::check(FileIndex file) const {
@@ -83,6 +90,21 @@ std::map<std::string, std::string> changed_texts(const keyword::Deck& deck, std:
     texts[deck.file(file.file).path] = keyword::with_lines(bytes, keyword::LineIndex(bytes), file.edits);
   }
   return texts;
+}
+
+void take_line_ends(const keyword::Deck& deck, RepairPlan& plan) {
+  std::map<std::string, keyword::LineIndex> indices;  // by path
+  const auto take = [&](RepairLine& line) {
+    std::string& text = line.after;
+    const auto file = std::ranges::find(deck.files(), line.file, &keyword::SourceFile::path);
+    if (text.find('\n') == std::string::npos || file == deck.files().end()) return;
+    const keyword::LineIndex& index = indices.try_emplace(line.file, file->bytes).first->second;
+    if (!ends_with_return(file->bytes, index.line(line.line))) return;
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+      text.insert(at, 1, '\r');
+  };
+  for (RepairPair& pair : plan.pairs)
+    for (Repair& repair : pair.repairs) std::ranges::for_each(repair.lines, take);
 }
 
 }  // namespace gapcheck::audit

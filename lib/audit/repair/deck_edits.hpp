@@ -34,6 +34,8 @@ class DeckEdits {
   [[nodiscard]] std::vector<ChangedLines> changed() const;
   /// The same for a report.
   [[nodiscard]] std::vector<RepairLine> listed();
+  /// Forgets the changes.
+  void clear() { files_.clear(); }
 
  private:
   struct Change {
@@ -50,5 +52,9 @@ class DeckEdits {
 /// The text of each file that changes, by its path as read.
 [[nodiscard]] std::map<std::string, std::string> changed_texts(const keyword::Deck& deck,
                                                                std::span<const ChangedLines> files);
+
+/// Gives lines that repairs add the line ends of their files, as they are written: for those who put texts in as they
+/// are.
+void take_line_ends(const keyword::Deck& deck, RepairPlan& plan);
 
 }  // namespace gapcheck::audit

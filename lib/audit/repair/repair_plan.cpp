@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "audit/repair/repair_cards.hpp"
 #include "audit/repair/repair_list.hpp"
 
 namespace gapcheck::audit {
@@ -42,6 +43,16 @@ Result<Start> begin(const keyword::Deck& deck, Diagnostics& diagnostics) {
   start.state = judge_deck(start.model, start.found);
   start.pairs = list_repairs(start.model, start.found);
   return start;
+}
+
+void leave_out_moves(std::vector<RepairPair>& pairs) {
+  for (RepairPair& pair : pairs)
+    std::erase_if(pair.repairs, [](const Repair& repair) { return repair.kind == RepairKind::move; });
+}
+
+/// Why a repair cannot be done.
+std::string refusal(const Diagnostic& why) {
+  return why.file.empty() ? why.message : fmt::format("{}:{}: {}", why.file, why.line, why.message);
 }
 
 std::uint64_t more(std::uint64_t now, std::uint64_t before) { return now > before ? now - before : 0; }
@@ -169,9 +180,7 @@ class Planner {
       deck = &other.emplace(tried(repair.settings));
     }
     if (!deck->ok()) {
-      const Diagnostic& why = deck->error();
-      repair.outcome.refused =
-          why.file.empty() ? why.message : fmt::format("{}:{}: {}", why.file, why.line, why.message);
+      repair.outcome.refused = refusal(deck->error());
       return;
     }
     repair.outcome = judge.outcome(deck->value(), repair.settings);
@@ -209,21 +218,47 @@ std::vector<AppliedRepairs::Contact> compared(const DeckState& before, const Dec
   return contacts;
 }
 
+RepairPlan untried(const Start& start) {
+  RepairPlan plan;
+  plan.pairs = start.pairs;
+  plan.penetrating = start.state.all.left + start.state.all.forgiven;
+  plan.too_far = start.state.all_too_far();
+  return plan;
+}
+
 }  // namespace
 
 Result<RepairPlan> plan_repairs(const keyword::Deck& deck, const FixOptions& options, const Reread& reread,
-                                Diagnostics& diagnostics) {
+                                Diagnostics& diagnostics, Tried tried) {
   auto start = begin(deck, diagnostics);
   if (!start) return start.error();
-  RepairPlan plan;
-  plan.pairs = start.value().pairs;
-  plan.penetrating = start.value().state.all.left + start.value().state.all.forgiven;
-  plan.too_far = start.value().state.all_too_far();
+  RepairPlan plan = untried(start.value());
+  if (tried == Tried::cards) leave_out_moves(plan.pairs);
   const RepairTrial trial(deck, start.value().model, options, reread);
   Planner(start.value(), trial, plan).run();
   if (plan.pairs.size() > most_repaired_pairs)
     plan.notes.push_back(fmt::format("repairs of the first {} pairs of parts and ties were tried; there are {} more",
                                      most_repaired_pairs, plan.pairs.size() - most_repaired_pairs));
+  return plan;
+}
+
+Result<RepairPlan> list_written_repairs(const keyword::Deck& deck, Diagnostics& diagnostics) {
+  auto start = begin(deck, diagnostics);
+  if (!start) return start.error();
+  RepairPlan plan = untried(start.value());
+  leave_out_moves(plan.pairs);
+  if (plan.pairs.size() > most_listed_pairs) plan.pairs.resize(most_listed_pairs);
+  DeckEdits edits(deck);
+  for (RepairPair& pair : plan.pairs) {
+    pair.tried = false;
+    for (Repair& repair : pair.repairs) {
+      edits.clear();
+      if (const Status status = write_cards(deck, start.value().model, repair.settings, edits); status.ok())
+        repair.lines = edits.listed();
+      else
+        repair.outcome.refused = refusal(status.error());
+    }
+  }
   return plan;
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "records/repair_plan.hpp"
 #include "records/report.hpp"
 #include "report/write/writers.hpp"
 
@@ -20,11 +23,16 @@ struct RuleText {
   std::string_view page;     ///< markdown
 };
 
+/// Repairs of a report's findings, by Item::number.
+using FindingFixes = std::map<std::size_t, std::vector<const Repair*>>;
+
 /// SARIF 2.1.0 (OASIS, sections 3.13 to 3.49): one run, rules with their help, one result per finding with file and
 /// line, the node as a logical location, the contact's card and the finding that it follows from as related locations,
 /// `partialFingerprints`. Of several decks each is an artifact, and a result names its deck as `analysisTarget`; decks
-/// that were not audited are notifications. `version` is the program's.
-void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink);
+/// that were not audited are notifications. `version` is the program's. `fixes`: of each report the repairs that its
+/// findings have as `fixes`; or of none.
+void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink,
+           std::span<const FindingFixes> fixes = {});
 
 /// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one
 /// of its findings is at least as severe as `limit`; without a limit none fails. A suite without findings has one case

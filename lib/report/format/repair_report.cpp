@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,8 @@
 #include "records/record_rules.hpp"
 #include "report/format/fix_proof_report.hpp"
 #include "report/format/fix_words.hpp"
+#include "report/format/repair_words.hpp"
+#include "report/format/sarif_fix.hpp"
 #include "report/item/describe.hpp"
 #include "report/write/percent_encoding.hpp"
 #include "report/write/table.hpp"
@@ -24,29 +25,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using fix_words::part_name;
 using fix_words::plural;
-
-/// "32 nodes in all, here by at most 0.2078; 2 ties fewer".
-std::string effects(const Repair& repair) {
-  const RepairOutcome& outcome = repair.outcome;
-  std::vector<std::string> list;
-  if (outcome.moved > 0)
-    list.push_back(fmt::format("{} in all, here by at most {:.4g}; {:.3g} % of all elements change",
-                               plural(outcome.moved, "node"), outcome.largest_move, 100 * outcome.changed_elements));
-  if (outcome.forgiven > 0 && repair.kind != RepairKind::ignore)
-    list.push_back(plural(outcome.forgiven, "node") + " stay without force");
-  if (outcome.added > 0) list.push_back(plural(outcome.added, "penetration") + " more elsewhere");
-  if (outcome.lost_ties > 0) list.push_back(plural(outcome.lost_ties, "tie") + " fewer");
-  if (outcome.untied > 0) list.push_back(plural(outcome.untied, "penetrating node") + " not tied");
-  if (outcome.crossings > 0) list.push_back(plural(outcome.crossings, "crossing") + " more");
-  return fmt::format("{}", fmt::join(list, "; "));
-}
-
-/// "SST = 0.7 in contact 1 (18 nodes stay without force)", or why the repair cannot be written.
-std::string what(const Repair& repair) {
-  if (!repair.outcome.refused.empty()) return repair.text + "; not possible: " + printable(repair.outcome.refused);
-  const std::string more = effects(repair);
-  return more.empty() ? repair.text : fmt::format("{} ({})", repair.text, more);
-}
 
 void each_line(std::string_view text, const auto& visit) {
   for (std::size_t at = 0; at <= text.size();) {
@@ -90,7 +68,7 @@ void pair_table(const RepairPair& pair, std::string& out) {
         const RepairOutcome& o = repair.outcome;
         const bool known = pair.tried && o.refused.empty();
         row = {repair.id, known ? std::to_string(o.left) : "-", known ? std::to_string(o.remaining() - o.left) : "-",
-               known ? fmt::format("{:.2f}", repair.cost) : "-", what(repair)};
+               known ? fmt::format("{:.2f}", repair.cost) : "-", what_it_does(repair)};
       },
       "   ", out);
   for (const Repair& repair : pair.repairs) {
@@ -162,33 +140,15 @@ const RuleIdentity& pair_rule(const RepairPair& pair) {
   return pair.released > 0 ? record_rules::released_node : record_rules::initial_penetration;
 }
 
-Json place_json(const std::string& file) { return {{"artifactLocation", {{"uri", file_uri(file)}}}}; }
-
-/// The lines of a repair as a fix object: whole lines are taken out and put in.
-Json fix_json(const Repair& repair) {
-  std::map<std::string, Json> files;
-  for (const RepairLine& line : repair.lines)
-    files.try_emplace(line.file, Json::array())
-        .first->second.push_back(
-            {{"deletedRegion", {{"startLine", line.line}}}, {"insertedContent", {{"text", line.after}}}});
-  Json fix{{"description", {{"text", repair.id + ": " + what(repair)}}}, {"artifactChanges", Json::array()}};
-  for (auto& [file, replacements] : files) {
-    Json change = place_json(file);
-    change["replacements"] = std::move(replacements);
-    fix["artifactChanges"].push_back(std::move(change));
-  }
-  return fix;
-}
-
 Json result_json(const RepairPair& pair, const std::string& input) {
   const RuleIdentity& rule = pair_rule(pair);
   Json result{{"ruleId", rule.id},
               {"level", name(rule.severity)},
               {"message", {{"text", heading(pair)}}},
-              {"locations", Json::array({{{"physicalLocation", place_json(input)}}})},
+              {"locations", Json::array({{{"physicalLocation", {{"artifactLocation", {{"uri", file_uri(input)}}}}}}})},
               {"fixes", Json::array()}};
   for (const Repair& repair : pair.repairs)
-    if (pair.tried && repair.outcome.solves() && !repair.lines.empty()) result["fixes"].push_back(fix_json(repair));
+    if (pair.tried && repair.outcome.solves() && !repair.lines.empty()) result["fixes"].push_back(sarif_fix(repair));
   return result;
 }
 

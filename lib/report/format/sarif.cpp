@@ -9,6 +9,7 @@
 
 #include "report/baseline/baseline.hpp"
 #include "report/format/formats.hpp"
+#include "report/format/sarif_fix.hpp"
 #include "report/item/causes.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/fingerprint.hpp"
@@ -162,7 +163,17 @@ struct ResultContext {
   const Report& report;
   const std::vector<std::string>& contacts;  ///< contact_places()
   const Target& target;
+  const FindingFixes* fixes;  ///< nullptr: none
 };
+
+void append_fixes(const Item& item, const FindingFixes& fixes, Members& result, Buffer& out) {
+  const auto found = fixes.find(item.number);
+  if (found == fixes.end()) return;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Repair* repair : found->second) list.push_back(sarif_fix(*repair));
+  result.key("fixes");
+  out.append(list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
 
 /// `rule`: position among the tool's rules, or npos. `cause`: the finding that this one follows from; nullptr: none.
 void append_result(const Item& item, std::size_t rule, const Finding* cause, const ResultContext& context,
@@ -185,6 +196,7 @@ void append_result(const Item& item, std::size_t rule, const Finding* cause, con
   append_fingerprint(item.fingerprint, context.target, result);
   if (item.state) result.plain("baselineState", baseline_state(*item.state));
   if (item.ignored != nullptr) append_suppression(*item.ignored, result, out);
+  if (context.fixes != nullptr) append_fixes(item, *context.fixes, result, out);
   append_properties(item, result, out);
   result.close();
 }
@@ -224,16 +236,16 @@ RulePositions append_tool(std::string_view version, std::span<const RuleText> ru
 }
 
 /// `first`: no results came before; false afterwards if there are some.
-void append_results(const Report& report, const Target& target, const RulePositions& rules, bool& first,
-                    Stream& stream) {
+void append_results(const Report& report, const Target& target, const RulePositions& rules, const FindingFixes* fixes,
+                    bool& first, Stream& stream) {
   const Items items(report), ignored = Items::ignored(report);
   const std::vector<std::string> contacts = contact_places(report);
   const Causes causes(report);
   const std::size_t records = report.penetrations.size() + report.tie_failures.size();
   const auto append = [&](const Item& item, const Finding* cause, Buffer& out) {
     const auto rule = rules.find(item.id);
-    append_result(item, rule == rules.end() ? std::string_view::npos : rule->second, cause, {report, contacts, target},
-                  out);
+    append_result(item, rule == rules.end() ? std::string_view::npos : rule->second, cause,
+                  {report, contacts, target, fixes}, out);
   };
   stream.lines(items.size(), first, [&](std::size_t i, Buffer& out) {
     append(items[i], i < records ? nullptr : causes.of(report.findings[i - records]), out);
@@ -249,14 +261,14 @@ void append_results(const Report& report, const Target& target, const RulePositi
 }
 
 void append_run_of_deck(const Report& report, std::string_view version, std::span<const RuleText> rules,
-                        Stream& stream) {
+                        const FindingFixes* fixes, Stream& stream) {
   const RulePositions positions = append_tool(version, rules, stream);
   // One category per deck: code scanning refuses several runs of one.
   stream.text(",\"automationDetails\":{\"id\":");
   stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
   stream.text("},\n\"results\":[");
   bool first = true;
-  append_results(report, {}, positions, first, stream);
+  append_results(report, {}, positions, fixes, first, stream);
   stream.text("]}");
 }
 
@@ -278,7 +290,7 @@ void append_not_audited(std::span<const Unread> unread, Stream& stream) {
 /// One run of several decks, which are its artifacts: services take few runs of a file. It names no category, so that
 /// who uploads it does.
 void append_run_of_decks(const Reports& reports, std::string_view version, std::span<const RuleText> rules,
-                         Stream& stream) {
+                         std::span<const FindingFixes> fixes, Stream& stream) {
   const RulePositions positions = append_tool(version, rules, stream);
   append_not_audited(reports.unread, stream);
   stream.text(",\n\"artifacts\":[");
@@ -293,19 +305,21 @@ void append_run_of_decks(const Reports& reports, std::string_view version, std::
   stream.text("],\n\"results\":[");
   bool first = true;
   for (std::size_t i = 0; i < reports.all.size() && stream.open(); ++i)
-    append_results(reports.all[i], {i, reports.all[i].input}, positions, first, stream);
+    append_results(reports.all[i], {i, reports.all[i].input}, positions, i < fixes.size() ? &fixes[i] : nullptr, first,
+                   stream);
   stream.text("]}");
 }
 
 }  // namespace
 
-void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink) {
+void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink,
+           std::span<const FindingFixes> fixes) {
   Stream stream(sink);
   stream.text("{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[");
   if (reports.several() && !reports.all.empty())
-    append_run_of_decks(reports, version, rules, stream);
+    append_run_of_decks(reports, version, rules, fixes, stream);
   else if (!reports.all.empty())
-    append_run_of_deck(reports.all.front(), version, rules, stream);
+    append_run_of_deck(reports.all.front(), version, rules, fixes.empty() ? nullptr : fixes.data(), stream);
   stream.text("]}\n");
   stream.flush();
 }

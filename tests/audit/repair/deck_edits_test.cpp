@@ -26,6 +26,29 @@ TEST(DeckEdits, ReplaceAndInsert) {
   EXPECT_EQ(listed[0].line, 2u);
   EXPECT_EQ(listed[0].before, "*NODE");
   EXPECT_EQ(listed[1].after, "last\n*END");
+  edits.clear();
+  EXPECT_TRUE(edits.listed().empty());
+  EXPECT_EQ(edits.line(file, 2), "*NODE");
+}
+
+// Lines that are added end as those of their file do, also behind a last line without an end.
+TEST(DeckEdits, LineEndsOfTheFile) {
+  const auto taken = [](const std::string& bytes, std::uint32_t line) {
+    Diagnostics diagnostics;
+    const auto deck = keyword::read_deck_text(bytes, "deck.k", {}, diagnostics);
+    RepairPlan plan;
+    plan.pairs.emplace_back().repairs.emplace_back().lines = {
+        {"deck.k", line, "", "a\nb\nc"}, {"deck.k", line, "", "alone"}, {"other.k", line, "", "a\nb"}};
+    audit::take_line_ends(deck.value(), plan);
+    const std::vector<RepairLine>& lines = plan.pairs[0].repairs[0].lines;
+    EXPECT_EQ(lines[1].after, "alone");
+    EXPECT_EQ(lines[2].after, "a\nb") << "a file that the deck does not have";
+    return lines[0].after;
+  };
+  EXPECT_EQ(taken("*KEYWORD\n*NODE\n*END", 1), "a\nb\nc");
+  EXPECT_EQ(taken("*KEYWORD\n*NODE\n*END", 3), "a\nb\nc");
+  EXPECT_EQ(taken("*KEYWORD\r\n*NODE\r\n*END", 1), "a\r\nb\r\nc");
+  EXPECT_EQ(taken("*KEYWORD\r\n*NODE\r\n*END", 3), "a\r\nb\r\nc");
 }
 
 }  // namespace

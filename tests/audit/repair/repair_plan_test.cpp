@@ -144,6 +144,50 @@ TEST(RepairPlan, TheBestNeverJoinsOrSeparatesParts) {
   EXPECT_TRUE(plan.best().empty());
 }
 
+// Listed repairs are what the plan tries and what is applied, line by line; none moves nodes.
+TEST(RepairPlan, ListedRepairsAreThoseThatAreApplied) {
+  std::string original = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7}, Plate{.id = 3, .z = 1.6});
+  original.insert(original.find("*PART"), "*PARAMETER\nRthick          1.\n");
+  constexpr std::string_view section = "*SECTION_SHELL\n         1         2\n";
+  original.replace(original.find(section) + section.size(), 10, "    &thick");
+  RepairRun run(original);
+  const RepairPlan listed = run.listed(), plan = run.plan();
+  ASSERT_EQ(listed.pairs.size(), 2u);
+  EXPECT_EQ(listed.penetrating, plan.penetrating);
+  EXPECT_EQ(listed.trials, 0u);
+  std::size_t written = 0, refused = 0;
+  for (std::size_t i = 0; i < listed.pairs.size(); ++i) {
+    EXPECT_FALSE(listed.pairs[i].tried);
+    EXPECT_EQ(listed.pairs[i].repairs.size() + 1, plan.pairs[i].repairs.size());
+    for (const Repair& repair : listed.pairs[i].repairs) {
+      ASSERT_NE(repair.kind, RepairKind::move);
+      const auto applied = run.apply({repair.id});
+      EXPECT_EQ(applied.ok(), repair.outcome.refused.empty()) << repair.id;
+      refused += applied.ok() ? 0 : 1;
+      if (!applied) continue;
+      ++written;
+      const std::vector<RepairLine>& lines = applied.value().report.lines;
+      ASSERT_EQ(repair.lines.size(), lines.size()) << repair.id;
+      for (std::size_t k = 0; k < lines.size(); ++k) {
+        EXPECT_EQ(repair.lines[k].line, lines[k].line) << repair.id;
+        EXPECT_EQ(repair.lines[k].before, lines[k].before) << repair.id;
+        EXPECT_EQ(repair.lines[k].after, lines[k].after) << repair.id;
+      }
+    }
+  }
+  EXPECT_GE(written, 6u);
+  EXPECT_GE(refused, 1u) << "T1 of a section is a parameter";
+}
+
+TEST(RepairPlan, OnlyCardsAreTriedWhereNobodyMovesNodes) {
+  RepairRun run(plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7}));
+  const RepairPlan plan = run.plan({}, audit::Tried::cards);
+  ASSERT_EQ(plan.pairs.size(), 1u);
+  EXPECT_EQ(repair_of(plan.pairs[0], RepairKind::move).id, "");
+  EXPECT_TRUE(repair_of(plan.pairs[0], RepairKind::part_thickness).outcome.solves());
+  EXPECT_EQ(plan.trials, 6u);
+}
+
 TEST(RepairPlan, OnlyLinesOfTheRepairChange) {
   const std::string original = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
   RepairRun run(original);

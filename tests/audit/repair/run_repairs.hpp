@@ -17,11 +17,20 @@ class RepairRun {
  public:
   explicit RepairRun(std::string text) : text_(std::move(text)) {}
 
-  [[nodiscard]] RepairPlan plan(const audit::FixOptions& options = {}) {
+  [[nodiscard]] RepairPlan plan(const audit::FixOptions& options = {}, audit::Tried tried = audit::Tried::all) {
     Diagnostics diagnostics;
     const auto deck = read({}, diagnostics);
     EXPECT_TRUE(deck.ok());
-    auto plan = audit::plan_repairs(deck.value(), options, reread(), diagnostics);
+    auto plan = audit::plan_repairs(deck.value(), options, reread(), diagnostics, tried);
+    EXPECT_TRUE(plan.ok()) << (plan ? "" : plan.error().message);
+    return plan ? std::move(plan).value() : RepairPlan{};
+  }
+
+  /// Listed without being tried.
+  [[nodiscard]] RepairPlan listed() {
+    Diagnostics diagnostics;
+    const auto deck = read({}, diagnostics);
+    auto plan = audit::list_written_repairs(deck.value(), diagnostics);
     EXPECT_TRUE(plan.ok()) << (plan ? "" : plan.error().message);
     return plan ? std::move(plan).value() : RepairPlan{};
   }
