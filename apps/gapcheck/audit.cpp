@@ -1,10 +1,14 @@
+#include <fmt/format.h>
+
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,6 +19,7 @@
 #include "base/system/clock.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
+#include "deck_list.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "settings/settings.hpp"
@@ -149,7 +154,7 @@ void add_options(CLI::App& command, AuditArguments& arguments) {
 
 }  // namespace
 
-audit::AuditOptions audit_options_of(const std::string& deck, const AuditArguments& given, Diagnostics& faults) {
+EditorAudit editor_audit_of(const std::string& deck, const AuditArguments& given, Diagnostics& faults) {
   CLI::App command;
   AuditArguments arguments;
   add_options(command, arguments);
@@ -167,7 +172,27 @@ audit::AuditOptions audit_options_of(const std::string& deck, const AuditArgumen
   add(read.include_directories, given.audit.read.include_directories);
   add(read.parameters, given.audit.read.parameters);
   read.skip_missing_includes = arguments.missing_includes == "skip" || given.missing_includes == "skip";
-  return arguments.audit;
+  BaselineOptions& baseline = arguments.baseline;
+  baseline.by_settings = true;
+  if (!baseline.compare.empty())
+    baseline.compare = name_for(baseline.compare, seen_from_settings(deck, arguments.settings));
+  return {std::move(arguments.audit), std::move(baseline), std::move(arguments.settings.path)};
+}
+
+Status compare_for_editor(const EditorAudit& editor, Report& report) {
+  const auto baseline = read(editor.baseline);
+  if (!baseline) {
+    Diagnostic why = baseline.error();
+    std::error_code failed;
+    if (std::filesystem::exists(editor.baseline.compare, failed)) return why;
+    why.message = fmt::format("the baseline {} {}", editor.baseline.compare, why.message);
+    why.file = editor.settings;
+    why.line = 0;
+    return why;
+  }
+  compare(
+      baseline.value(), [&editor](const KnownFinding& known) { return looked_for(known, editor.audit); }, report);
+  return {};
 }
 
 void add_audit(CLI::App& app, Action& action) {

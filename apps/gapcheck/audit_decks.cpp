@@ -30,17 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Baseline findings that the audit did not look for are not gone. Limits by depth or part leave out more than a
-/// baseline can show.
-bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
-  if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0 || !options.as_if.empty())
-    return false;
-  const auto& ids = options.contacts;
-  if (!ids.empty() && std::find(ids.begin(), ids.end(), known.contact) == ids.end()) return false;
-  const RuleIdentity* rule = audit::find_rule(known.id);
-  return rule == nullptr || audit::selected(*rule, options.select, options.ignore);
-}
-
 /// The files that hold the results of one deck.
 template <class Arguments>
 auto names_of(Arguments& arguments) {
@@ -339,6 +328,16 @@ void print_left_out(const DeckList& list) {
 bool selects(const audit::AuditOptions& audit) {
   return !audit.select.empty() || !audit.ignore.empty() || !audit.contacts.empty() || !audit.parts.empty() ||
          audit.ptol >= 0 || audit.rtol >= 0 || audit.ratio >= 0;
+}
+
+// Limits by depth or part leave out more than a baseline can show.
+bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
+  if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0 || !options.as_if.empty())
+    return false;
+  const auto& ids = options.contacts;
+  if (!ids.empty() && std::find(ids.begin(), ids.end(), known.contact) == ids.end()) return false;
+  const RuleIdentity* rule = audit::find_rule(known.id);
+  return rule == nullptr || audit::selected(*rule, options.select, options.ignore);
 }
 
 int audit_decks(AuditArguments arguments) {

@@ -36,10 +36,23 @@ struct AuditArguments {
 /// True if the options leave anything out.
 [[nodiscard]] bool selects(const audit::AuditOptions& audit);
 
-/// The options with which one deck is audited for an editor: those of its settings file and of `given`, which has the
-/// settings file and how includes are read. `faults` in the settings: then none of them is used.
-[[nodiscard]] audit::AuditOptions audit_options_of(const std::string& deck, const AuditArguments& given,
-                                                   Diagnostics& faults);
+/// Baseline findings that the audit did not look for are not gone.
+[[nodiscard]] bool looked_for(const KnownFinding& known, const audit::AuditOptions& options);
+
+/// How one deck is audited for an editor.
+struct EditorAudit {
+  audit::AuditOptions audit;
+  BaselineOptions baseline;
+  std::string settings;  ///< path of the settings file; empty: none is used
+};
+
+/// The options of its settings file and of `given`, which has the settings file and how includes are read. `faults` in
+/// the settings: then none of them is used.
+[[nodiscard]] EditorAudit editor_audit_of(const std::string& deck, const AuditArguments& given, Diagnostics& faults);
+
+/// Compares a report with the baseline of the settings, if they name one. Errors: it cannot be read; where it is not
+/// there, the settings file is what is wrong.
+[[nodiscard]] Status compare_for_editor(const EditorAudit& editor, Report& report);
 
 /// Audits the decks one after the other, of a shard only its own, and writes the requested output; the exit code. Files
 /// that hold one deck's results have {deck} in their name if there are several.

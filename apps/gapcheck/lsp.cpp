@@ -26,13 +26,16 @@ void add_lsp(CLI::App& app, Action& action) {
   command->callback([&action, arguments, stdio] {
     action = [arguments] {
       const JobLimit limit(arguments->jobs);
-      const auto options = [arguments](const std::string& deck) {
+      const auto options_of = [arguments](const std::string& deck) {
         Diagnostics faults;
-        audit::AuditOptions audit = audit_options_of(deck, *arguments, faults);
-        return lsp::DeckOptions{std::move(audit), faults.sorted()};
+        EditorAudit editor = editor_audit_of(deck, *arguments, faults);
+        lsp::DeckOptions options{editor.audit, faults.sorted()};
+        if (!editor.baseline.compare.empty())
+          options.compare = [editor = std::move(editor)](Report& report) { return compare_for_editor(editor, report); };
+        return options;
       };
       auto* server =
-          new lsp::Server(system::standard_input, system::standard_output, options, version_line("gapcheck"));
+          new lsp::Server(system::standard_input, system::standard_output, options_of, version_line("gapcheck"));
       // Threads may still read a deck; nothing that they do is left half done.
       std::_Exit(server->run());
       return 0;

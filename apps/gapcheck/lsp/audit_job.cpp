@@ -9,6 +9,7 @@
 #include "audit/fix/fix.hpp"
 #include "keyword/write_back.hpp"
 #include "lsp/uri.hpp"
+#include "report/baseline/baseline.hpp"
 #include "report/item/item.hpp"
 
 namespace gapcheck::app::lsp {
@@ -26,6 +27,7 @@ class Collector {
   void add(const Diagnostic& said) { add(said.file, said.line, {0, said.severity, {}, said.message}); }
   void add(const Report& report) {
     for (const report::ItemGroup& group : report::item_groups(report, most_of_a_rule)) add(report, group);
+    if (report.baseline) add_known(report);
   }
   [[nodiscard]] Audited finish(std::string summary) && {
     result_.summary = std::move(summary);
@@ -37,17 +39,42 @@ class Collector {
 
  private:
   void add(const Report& report, const report::ItemGroup& group) {
-    for (const report::Item& item : group.shown)
-      add(std::string(item.file), item.line,
-          {0, item.severity, std::string(item.id), item.message, item.contact, item.node, item.part, item.element,
-           item.penetration >= 0});
-    if (group.items <= group.shown.size()) return;
-    const bool of_contact = group.contact_position != no_position;
-    const ContactSummary none, &contact = of_contact ? report.contacts[group.contact_position] : none;
-    add(contact.file, contact.line,
-        {0, group.severity, std::string(group.id),
-         fmt::format("{}: {} more in contact {}", group.rule, group.items - group.shown.size(), contact.id), contact.id,
-         0, 0, 0, false});
+    for (const report::Item& item : group.shown) add(report, item);
+    if (group.items > group.shown.size())
+      add_more(report, group.contact_position, std::string(group.id), group, group.items, false);
+  }
+  /// How many more there are than those that are listed.
+  void add_more(const Report& report, std::uint32_t position, const std::string& id, const report::ItemGroup& group,
+                std::size_t all, bool known) {
+    const bool of_contact = position != no_position;
+    const ContactSummary none, &contact = of_contact ? report.contacts[position] : none;
+    LineFinding more{0, group.severity, id,
+                     fmt::format("{}: {} more in contact {}", group.rule, all - most_of_a_rule, contact.id),
+                     contact.id};
+    more.known = known;
+    add(contact.file, contact.line, std::move(more));
+  }
+  void add(const Report& report, const report::Item& item) {
+    LineFinding finding{0,         item.severity, std::string(item.id), item.message, item.contact,
+                        item.node, item.part,     item.element};
+    finding.penetrates = item.penetration >= 0;
+    finding.known = !item.counts();
+    finding.repair = audit::repair_target(report, item.number);
+    result_.repairable = result_.repairable || finding.repair;
+    add(std::string(item.file), item.line, std::move(finding));
+  }
+  /// Those that the baseline has equally bad.
+  void add_known(const Report& report) {
+    std::map<std::pair<std::uint32_t, std::string>, report::ItemGroup> groups;  // by contact and rule
+    report::for_each_item(report, [&](const report::Item& item) {
+      if (item.counts()) return true;
+      report::ItemGroup& group = groups[{item.contact_position, std::string(item.id)}];
+      group.rule = item.rule;
+      if (group.known++ < most_of_a_rule) add(report, item);
+      return true;
+    });
+    for (const auto& [key, group] : groups)
+      if (group.known > most_of_a_rule) add_more(report, key.first, key.second, group, group.known, true);
   }
   std::string deck_;
   std::map<std::string, std::string> canonical_;
@@ -64,7 +91,10 @@ std::string summary_of(const Report& report, const Diagnostics& diagnostics, dou
     return true;
   });
   for (const Diagnostic& said : diagnostics.sorted()) count(said.severity);
-  return fmt::format("{}: {} errors, {} warnings, {} notes, {:.2f} s", report.input, errors, warnings, notes, seconds);
+  const std::string known =
+      report.baseline ? "; against the baseline: " + report::summary(*report.baseline) : std::string();
+  return fmt::format("{}: {} errors, {} warnings, {} notes, {:.2f} s{}", report.input, errors, warnings, notes, seconds,
+                     known);
 }
 
 }  // namespace
@@ -124,9 +154,11 @@ std::optional<Audited> audit_for_editor(const std::string& deck, const OptionsOf
     DeckOptions options = options_of(deck);
     for (const Diagnostic& fault : options.faults) collector.add(fault);
     options.audit.watch = [&go_on](const audit::AuditStep&) { return go_on(); };
-    const auto report = audit::audit_deck(deck, options.audit, diagnostics);
+    auto report = audit::audit_deck(deck, options.audit, diagnostics);
     if (!go_on()) return std::nullopt;
     if (report) {
+      if (options.compare)
+        if (const Status compared = options.compare(report.value()); !compared.ok()) collector.add(compared.error());
       collector.add(report.value());
       summary = summary_of(report.value(), diagnostics,
                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

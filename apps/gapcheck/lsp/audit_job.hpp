@@ -27,6 +27,9 @@ namespace gapcheck::app::lsp {
 struct DeckOptions {
   audit::AuditOptions audit;
   std::vector<Diagnostic> faults;
+  /// Compares a report with the baseline that the settings name, and says what is wrong with that; empty: there is
+  /// none.
+  std::function<Status(Report& report)> compare{};
 };
 using OptionsOf = std::function<DeckOptions(const std::string& deck)>;
 
@@ -34,6 +37,7 @@ using OptionsOf = std::function<DeckOptions(const std::string& deck)>;
 struct Audited {
   std::map<std::string, std::vector<LineFinding>> findings;  ///< by canonical path
   std::string summary;                                       ///< one line
+  bool repairable = false;                                   ///< one of them has a target of repairs
 };
 
 /// Most findings of one rule in one contact that are listed one by one.
@@ -46,12 +50,7 @@ inline constexpr std::size_t most_of_a_file = 1000;
 [[nodiscard]] std::optional<Audited> audit_for_editor(const std::string& deck, const OptionsOf& options_of,
                                                       const std::function<bool()>& go_on);
 
-/// A line that `gapcheck fix` changes.
-struct FixedLine {
-  std::uint32_t line = 0;  ///< from 0
-  std::string before, after;
-};
-/// Those of a deck on disk.
+/// The lines of a deck on disk that `gapcheck fix` changes.
 struct FixedLines {
   std::map<std::string, std::vector<FixedLine>> edits;  ///< by canonical path
   std::string summary;

@@ -70,6 +70,18 @@ json lines_range(std::uint32_t first, std::uint32_t behind) {
   return {{"start", {{"line", first}, {"character", 0}}}, {"end", {{"line", behind}, {"character", 0}}}};
 }
 
+json line_edits(std::span<const FixedLine> lines, Encoding encoding, bool open) {
+  constexpr std::uint32_t end_of_line = std::numeric_limits<std::int32_t>::max();
+  json list = json::array();
+  for (const FixedLine& line : lines) {
+    json range = lines_range(line.line, line.line);
+    range["end"]["character"] = end_of_line;
+    if (open) range = range_in(line.before, line.line, 0, line.before.size(), encoding);
+    list.push_back({{"range", std::move(range)}, {"newText", line.after}});
+  }
+  return list;
+}
+
 const json& member(const json& value, std::initializer_list<const char*> path) {
   static const json null;
   const json* at = &value;

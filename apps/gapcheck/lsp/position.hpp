@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "lsp/text.hpp"
@@ -26,6 +28,15 @@ enum class Encoding : std::uint8_t { utf16, utf8 };
                             Encoding encoding);
 /// From the start of a line to the start of another one.
 [[nodiscard]] json lines_range(std::uint32_t first, std::uint32_t behind);
+
+/// A line with another text in its place.
+struct FixedLine {
+  std::uint32_t line = 0;  ///< from 0
+  std::string before, after;
+};
+/// The edits of lines, each as a whole. `open`: the client has the file as text; otherwise it may count the characters
+/// of a line in another way.
+[[nodiscard]] json line_edits(std::span<const FixedLine> lines, Encoding encoding, bool open);
 
 // Members of what a client sends; it may send anything.
 

@@ -16,6 +16,7 @@
 #include "lsp/inbox.hpp"
 #include "lsp/main_deck.hpp"
 #include "lsp/message.hpp"
+#include "lsp/repair_job.hpp"
 #include "lsp/worker.hpp"
 #include "lsp/workspace.hpp"
 
@@ -35,8 +36,8 @@ struct Failure {
 };
 using Answer = Result<json, Failure>;
 
-/// A language server on two descriptors. One thread reads messages, one answers them, and three work on decks in the
-/// background: what the decks are, audits, corrections.
+/// A language server on two descriptors. One thread reads messages, one answers them, and four work on decks in the
+/// background: what the decks are, audits, repairs, corrections.
 class Server {
  public:
   /// `options`: may be asked by several threads at a time.
@@ -92,6 +93,9 @@ class Server {
   Answer range_formatting(const json& params, const Message&);
   Answer code_actions(const json& params, const Message&);
   Answer execute(const json& params, const Message&);
+  [[nodiscard]] json repairs_of(const Question& question, const Document& document,
+                                const std::vector<LineFinding>& findings, std::uint32_t first,
+                                std::uint32_t behind) const;
 
   [[nodiscard]] bool apply(const json& change, const Message& message, Document& document);
   void publish(const std::string& path);
@@ -105,6 +109,7 @@ class Server {
   [[nodiscard]] Deck read_deck_file(const std::string& main, const std::map<std::string, std::string>& changed);
   void take_deck(const std::string& main, const std::set<std::string>& files, const Deck& deck);
   void audit(const std::string& main);
+  void list_repairs(const std::string& main);
   void fix(const std::string& main);
   void apply_fix(const FixedLines& fixed);
 
@@ -120,12 +125,14 @@ class Server {
   std::set<std::string> decks_wanted_;    ///< files whose deck is to be read
   std::set<std::string> audits_wanted_;   ///< of them those whose deck is to be audited then
   std::set<std::string> audits_running_;  ///< main files of decks that are audited or wait for it
-  std::int64_t requests_ = 0;             ///< of the server to the client
+  std::set<std::string> repairs_wanted_;  ///< main files of decks whose repairs are listed or wait for it
+  std::map<std::string, std::shared_ptr<const Result<DeckRepairs>>> repairs_;  ///< by main file
+  std::int64_t requests_ = 0;                                                  ///< of the server to the client
   std::mutex mutex_;
   std::map<std::string, bool> waiting_;  ///< requests by their id as JSON, and whether they are cancelled
   Inbox inbox_;
   MainDecks main_decks_;  ///< of the thread of `reader_` alone
-  Worker reader_, auditor_, fixer_;
+  Worker reader_, auditor_, repairer_, fixer_;
 };
 
 }  // namespace gapcheck::app::lsp

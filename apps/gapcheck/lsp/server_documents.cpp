@@ -9,6 +9,13 @@
 #include "lsp/uri.hpp"
 
 namespace gapcheck::app::lsp {
+namespace {
+
+/// Severities of the protocol.
+constexpr int hint = 4;
+int level_of(Severity severity) { return severity == Severity::error ? 1 : severity == Severity::warning ? 2 : 3; }
+
+}  // namespace
 
 Answer Server::did_open(const json& params, const Message& message) {
   const std::string& uri = text_of(member(params, {"textDocument", "uri"}));
@@ -94,9 +101,8 @@ void Server::publish(const std::string& path) {
   const Document* document = workspace_.find_path(path);
   json list = json::array();
   std::set<std::pair<std::uint32_t, std::string>> said;
-  const auto add = [&](json range, Severity severity, const std::string& code, const std::string& message) {
+  const auto add = [&](json range, int level, const std::string& code, const std::string& message) {
     if (!said.emplace(range["start"]["line"].get<std::uint32_t>(), message).second) return;
-    const int level = severity == Severity::error ? 1 : severity == Severity::warning ? 2 : 3;
     json each{{"range", std::move(range)}, {"severity", level}, {"source", "gapcheck"}, {"message", message}};
     if (!code.empty()) each["code"] = code;
     list.push_back(std::move(each));
@@ -109,12 +115,15 @@ void Server::publish(const std::string& path) {
       const std::string_view line = document->text->line(at);
       range = range_in(line, at, 0, line.size(), encoding_);
     }
-    add(std::move(range), finding.severity, finding.code, finding.message);
+    if (finding.known)
+      add(std::move(range), hint, finding.code, "known: " + finding.message);
+    else
+      add(std::move(range), level_of(finding.severity), finding.code, finding.message);
   }
   if (document != nullptr)
     for (const LineFault& fault : document->faults)
-      add(range_in(document->text->line(fault.line), fault.line, fault.begin, fault.end, encoding_), fault.severity, {},
-          fault.message);
+      add(range_in(document->text->line(fault.line), fault.line, fault.begin, fault.end, encoding_),
+          level_of(fault.severity), {}, fault.message);
   json params{{"uri", document != nullptr ? document->uri : uri_of(path)}, {"diagnostics", std::move(list)}};
   if (document != nullptr) params["version"] = document->version;
   notify("textDocument/publishDiagnostics", std::move(params));

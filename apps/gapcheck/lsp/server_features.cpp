@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "lsp/server.hpp"
 
@@ -89,8 +91,28 @@ Answer Server::code_actions(const json& params, const Message&) {
     if (!read_place(member(params, {"range", "start"}), q.text(), encoding_, begin) ||
         !read_place(member(params, {"range", "end"}), q.text(), encoding_, end))
       return Failure{Failure::invalid_params, "no range is given"};
-    return lsp::code_actions(q, workspace_.findings(document.path), begin.line, std::max(begin, end).line + 1);
+    const std::vector<LineFinding> findings = workspace_.findings(document.path);
+    const std::uint32_t behind = std::max(begin, end).line + 1;
+    json actions = lsp::code_actions(q, findings, begin.line, behind);
+    for (json& repair : repairs_of(q, document, findings, begin.line, behind)) actions.push_back(std::move(repair));
+    return actions;
   });
+}
+
+/// Repairs of the findings in the lines [first, behind), if the document is as it was audited.
+json Server::repairs_of(const Question& question, const Document& document, const std::vector<LineFinding>& findings,
+                        std::uint32_t first, std::uint32_t behind) const {
+  const std::string main = workspace_.main_of(document);
+  const auto listed = repairs_.find(main.empty() ? document.path : main);
+  if (listed == repairs_.end() || !*listed->second) return json::array();
+  const DeckRepairs& repairs = listed->second->value();
+  const bool current = std::ranges::any_of(repairs.files, [&](const auto& file) {
+    return file.second.path == document.path && !workspace_.changeable(file.second, {}).uri.empty();
+  });
+  if (!current) return json::array();
+  return lsp::repair_actions(
+      question, findings, first, behind, repairs,
+      [this](const ReadFile& file, std::span<const FixedLine> lines) { return workspace_.changeable(file, lines); });
 }
 
 Answer Server::execute(const json& params, const Message&) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <utility>
 
 #include "lsp/server.hpp"
@@ -90,6 +89,28 @@ void Server::audit(const std::string& main) {
         audits_running_.erase(deck);
         notify("window/logMessage", {{"type", 3}, {"message", "gapcheck audit " + result.summary}});
         for (const std::string& path : workspace_.set_findings(deck, result)) publish(path);
+        if (result.repairable)
+          list_repairs(deck);
+        else
+          repairs_.erase(deck);
+      });
+    }
+  });
+}
+
+/// What repairs of cards would write, for code actions.
+void Server::list_repairs(const std::string& main) {
+  repairs_wanted_.insert(main);
+  repairer_.start([this, mains = repairs_wanted_](const Worker::GoOn& go_on) {
+    for (const std::string& deck : mains) {
+      const auto listed = std::make_shared<const Result<DeckRepairs>>(repairs_for_editor(deck, options_));
+      if (!go_on()) return;
+      inbox_.post([this, go_on, deck, listed] {
+        if (!go_on()) return;  // a newer job has this deck, too
+        repairs_wanted_.erase(deck);
+        repairs_[deck] = listed;
+        const std::string said = *listed ? listed->value().summary : deck + ": no repairs: " + listed->error().message;
+        notify("window/logMessage", {{"type", 3}, {"message", "gapcheck fix " + said}});
       });
     }
   });
@@ -118,15 +139,8 @@ void Server::apply_fix(const FixedLines& fixed) {
       notify("window/showMessage", {{"type", 1}, {"message", "gapcheck fix: " + path + " has changed; save it first"}});
       return;
     }
-    json list = json::array();
-    for (const FixedLine& edit : edits) {
-      constexpr std::uint32_t end_of_line = std::numeric_limits<std::int32_t>::max();
-      json range = lines_range(edit.line, edit.line);
-      range["end"]["character"] = end_of_line;
-      if (document != nullptr) range = range_in(edit.before, edit.line, 0, edit.before.size(), encoding_);
-      list.push_back({{"range", std::move(range)}, {"newText", edit.after}});
-    }
-    changes[document != nullptr ? document->uri : uri_of(path)] = std::move(list);
+    const bool open = document != nullptr;
+    changes[open ? document->uri : uri_of(path)] = line_edits(edits, encoding_, open);
   }
   notify("window/logMessage", {{"type", 3}, {"message", "gapcheck fix " + fixed.summary}});
   if (changes.empty()) {

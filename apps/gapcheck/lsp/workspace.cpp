@@ -36,6 +36,11 @@ Document* Workspace::find_path(const std::string& path) {
   return found == documents_.end() ? nullptr : found->second.get();
 }
 
+const Document* Workspace::find_path(const std::string& path) const {
+  const auto found = documents_.find(path);
+  return found == documents_.end() ? nullptr : found->second.get();
+}
+
 void Workspace::set_text(Document& document, Text text) {
   document.text = std::make_shared<const Text>(std::move(text));
   document.outline = std::make_shared<const std::vector<Keyword>>(outline(*document.text));
@@ -139,6 +144,17 @@ std::vector<LineFinding> Workspace::findings(const std::string& path) const {
     if (const auto found = files.find(path); found != files.end())
       for (const LineFinding& finding : found->second) add(finding);
   return list;
+}
+
+LinesAt Workspace::changeable(const ReadFile& file, std::span<const FixedLine> lines) const {
+  const auto now = FileBytes::begin(file.path);
+  if (!now || !(now.value().stamp() == file.stamp)) return {};
+  const Document* document = find_path(file.path);
+  if (document == nullptr) return {uri_of(file.path), false};
+  const bool same = !document->changed && std::ranges::all_of(lines, [&](const FixedLine& line) {
+    return document->text->line(line.line) == line.before;
+  });
+  return same ? LinesAt{document->uri, true} : LinesAt{};
 }
 
 std::map<std::string, std::string> Workspace::changed_texts() const {

@@ -33,6 +33,7 @@ class Workspace {
   /// Whatever way the URI is spelt; nullptr: not open.
   [[nodiscard]] Document* find(const std::string& uri);
   [[nodiscard]] Document* find_path(const std::string& path);
+  [[nodiscard]] const Document* find_path(const std::string& path) const;
   /// Gives a document another text and checks it.
   static void set_text(Document& document, Text text);
   /// Moves what was found in a document along with its lines: [begin, end) was replaced by a text with that many line
@@ -51,6 +52,10 @@ class Workspace {
   [[nodiscard]] std::set<std::string> set_findings(const std::string& main, Audited audited);
   /// What audits found in a file, each once.
   [[nodiscard]] std::vector<LineFinding> findings(const std::string& path) const;
+
+  /// Where lines of a file can be changed: neither the editor nor another program has changed the file since it was
+  /// read.
+  [[nodiscard]] LinesAt changeable(const ReadFile& file, std::span<const FixedLine> lines) const;
 
   /// The text of every document that differs from the disk, without what other files do not need.
   [[nodiscard]] std::map<std::string, std::string> changed_texts() const;

@@ -1,10 +1,14 @@
 #pragma once
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "audit/repair/finding_repairs.hpp"
 #include "base/diagnostic.hpp"
+#include "base/file_bytes.hpp"
 #include "lsp/position.hpp"
 #include "lsp/scope.hpp"
 #include "lsp/symbols.hpp"
@@ -55,10 +59,29 @@ struct LineFinding {
   std::string message;
   std::int64_t contact = 0, node = 0, part = 0, element = 0;  ///< ids; 0: none
   bool penetrates = false;                                    ///< what `gapcheck fix` is for
+  bool known = false;                                         ///< equally bad in the baseline
+  std::optional<audit::RepairTarget> repair{};                ///< what repairs of cards are about
 };
 /// What can be done about what was found in the lines [first, behind).
 [[nodiscard]] json code_actions(const Question& question, const std::vector<LineFinding>& findings, std::uint32_t first,
                                 std::uint32_t behind);
+
+/// A file as it was when its deck was read.
+struct ReadFile {
+  std::string path;  ///< canonical
+  FileStamp stamp;
+};
+/// Where lines of a file can be changed.
+struct LinesAt {
+  std::string uri;    ///< empty: they cannot, because the file has changed
+  bool open = false;  ///< the client has its text
+};
+using ChangeableFile = std::function<LinesAt(const ReadFile& file, std::span<const FixedLine> lines)>;
+struct DeckRepairs;
+/// The repairs of cards for what was found in the lines [first, behind): those whose files are as they were.
+[[nodiscard]] json repair_actions(const Question& question, const std::vector<LineFinding>& findings,
+                                  std::uint32_t first, std::uint32_t behind, const DeckRepairs& repairs,
+                                  const ChangeableFile& changeable);
 
 // Shared by features.
 
