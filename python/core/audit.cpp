@@ -47,10 +47,7 @@ api::Report audited(const py::dict& given, const Audit& audit) {
   options.watch = [&progress](const api::AuditStep& step) {
     return progress([&] { return py::make_tuple(text(step.name), step.done, step.all); });
   };
-  auto report = [&] {
-    const py::gil_scoped_release release;
-    return audit(options);
-  }();
+  auto report = without_lock([&] { return audit(options); });
   progress.raise_again();
   return taken(std::move(report));
 }

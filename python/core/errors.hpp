@@ -4,6 +4,8 @@
 #include <gapcheck/result.hpp>
 #include <utility>
 
+#include "kept_memory.hpp"
+
 namespace gapcheck::python {
 
 namespace py = pybind11;
@@ -18,14 +20,18 @@ template <class T>
   return std::move(result).value();
 }
 
-/// Does work without the lock of the interpreter, and takes its result.
+/// Does work without the lock of the interpreter.
+template <class Work>
+[[nodiscard]] auto without_lock(const Work& work) {
+  const py::gil_scoped_release release;
+  const KeptMemory memory;
+  return work();
+}
+
+/// The same, and takes its result.
 template <class Work>
 [[nodiscard]] auto worked(const Work& work) {
-  auto result = [&work] {
-    const py::gil_scoped_release release;
-    return work();
-  }();
-  return taken(std::move(result));
+  return taken(without_lock(work));
 }
 
 }  // namespace gapcheck::python

@@ -45,10 +45,7 @@ api::RunSummary run_of(const py::object& deck_path, const py::object& directory_
   Callback watch(given.function("watch"));
   // The state is copied: Python may keep it.
   settings.watch = [&watch](const api::RunState& state) { return watch([&] { return py::make_tuple(state); }); };
-  auto summary = [&] {
-    const py::gil_scoped_release release;
-    return api::run_deck(deck, directory, settings);
-  }();
+  auto summary = without_lock([&] { return api::run_deck(deck, directory, settings); });
   watch.raise_again();
   return taken(std::move(summary));
 }

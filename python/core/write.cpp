@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "errors.hpp"
 #include "module.hpp"
 #include "options.hpp"
 
@@ -41,10 +42,7 @@ void add_write(py::module_& module) {
   module.def("write", [](const api::Report& report, const std::string& format, const py::dict& given) {
     const api::Format chosen = format_of(format);
     const api::WriteOptions options = write_options(Options(given));
-    const std::string text = [&] {
-      const py::gil_scoped_release release;
-      return api::write(report, chosen, options);
-    }();
+    const std::string text = without_lock([&] { return api::write(report, chosen, options); });
     return py::bytes(text);
   });
 }

@@ -17,8 +17,6 @@ from page import machine, run_once, section
 
 SCRIPT = "import sys, gapcheck; found = gapcheck.audit(sys.argv[1]).penetrations; print(len(found), found.depth.sum())"
 EMPTY = "import sys, gapcheck"
-# The program tells the C library to keep freed memory; a module must not decide that for the process that it is in.
-KEEP = ["MALLOC_MMAP_MAX_=0", "MALLOC_TRIM_THRESHOLD_=2000000000"]
 
 
 def table(arguments):
@@ -27,7 +25,6 @@ def table(arguments):
     os.environ["PYTHONPATH"] = str(arguments.build / "python")
     commands = {"`gapcheck audit`": [arguments.build / "apps/gapcheck/gapcheck", "audit", "--fail-on", "never", deck],
                 "`gapcheck.audit()`, whole process": ["/usr/bin/python3", "-c", SCRIPT, deck],
-                "the same with the program's memory": ["env", *KEEP, "/usr/bin/python3", "-c", SCRIPT, deck],
                 "of it: start and import": ["/usr/bin/python3", "-c", EMPTY]}
     samples = {name: [] for name in commands}
     for command in commands.values():
