@@ -9,6 +9,7 @@
 #include "api/convert.hpp"
 #include "api/option_check.hpp"
 #include "api/report_store.hpp"
+#include "api/watched.hpp"
 #include "audit/audit.hpp"
 #include "report/compare/compare_curves.hpp"
 #include "report/text/check_c_view.hpp"
@@ -40,6 +41,7 @@ gapcheck::Result<gapcheck::Report> records_of(const std::string& path, const Com
   if (source.value().deck) {
     audit::AuditOptions settings;
     settings.read = read_options(options.includes);
+    settings.watch = [](const audit::AuditStep&) { return !work_stopped(); };
     return audit::audit_deck(path, settings, diagnostics);
   }
   results::LogOptions settings;
@@ -202,11 +204,7 @@ const ComparisonStore& store_of(const Comparison& comparison) {
   return comparison.store ? *comparison.store : none;
 }
 
-}  // namespace
-
-Result<Comparison> compare(const std::string& first, const std::string& second, const CompareOptions& options) {
-  if (std::string fault = fault_of(options); !fault.empty()) return plain_error(std::move(fault));
-  const Jobs jobs(options.jobs);
+Result<Comparison> compared(const std::string& first, const std::string& second, const CompareOptions& options) {
   std::error_code failed;
   const bool with_curves =
       options.curves && std::filesystem::is_directory(first, failed) && std::filesystem::is_directory(second, failed);
@@ -226,6 +224,14 @@ Result<Comparison> compare(const std::string& first, const std::string& second, 
     return plain_error(std::move(fault));
   store.comparison = report::compare(store.first->report, store.second->report, options.tolerance);
   return public_comparison(std::move(one), std::move(other), std::make_shared<const ComparisonStore>(std::move(store)));
+}
+
+}  // namespace
+
+Result<Comparison> compare(const std::string& first, const std::string& second, const CompareOptions& options) {
+  if (std::string fault = fault_of(options); !fault.empty()) return plain_error(std::move(fault));
+  const Jobs jobs(options.jobs);
+  return watched(options.watch, "the comparison was stopped", [&] { return compared(first, second, options); });
 }
 
 std::string text(const Comparison& comparison, std::size_t top) {

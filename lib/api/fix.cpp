@@ -8,6 +8,7 @@
 
 #include "api/convert.hpp"
 #include "api/option_check.hpp"
+#include "api/watched.hpp"
 #include "report/format/fix_report.hpp"
 
 namespace gapcheck::api {
@@ -141,16 +142,11 @@ const FixReport& report_in(const Fix& fix) {
   return fix.store ? fix.store->report : none;
 }
 
-}  // namespace
-
-Result<Fix> fix_deck(const std::string& path, const FixOptions& options) {
-  const auto settings = fix_settings(options);
-  if (!settings) return settings.error();
-  const Jobs jobs(options.jobs);
+Result<Fix> fixed(const std::string& path, const FixOptions& options, const audit::FixOptions& settings) {
   gapcheck::Diagnostics diagnostics;
   const auto deck = keyword::read_deck(path, read_options(options.includes), diagnostics);
   if (!deck) return error_of(deck.error(), diagnostics);
-  auto corrected = audit::fix_penetrations(deck.value(), settings.value(), diagnostics);
+  auto corrected = audit::fix_penetrations(deck.value(), settings, diagnostics);
   if (!corrected) return error_of(corrected.error(), diagnostics);
   // What was not understood may be what the nodes hang on.
   if (diagnostics.has_errors()) return first_error(diagnostics);
@@ -162,6 +158,15 @@ Result<Fix> fix_deck(const std::string& path, const FixOptions& options) {
   fix.changed = std::move(changed);
   fix.diagnostics = listed(diagnostics);
   return fix;
+}
+
+}  // namespace
+
+Result<Fix> fix_deck(const std::string& path, const FixOptions& options) {
+  const auto settings = fix_settings(options);
+  if (!settings) return settings.error();
+  const Jobs jobs(options.jobs);
+  return watched(options.watch, "the correction was stopped", [&] { return fixed(path, options, settings.value()); });
 }
 
 std::string text(const Fix& fix, std::size_t top) {

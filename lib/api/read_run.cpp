@@ -7,6 +7,7 @@
 #include "api/option_check.hpp"
 #include "api/report_store.hpp"
 #include "audit/judge.hpp"
+#include "api/watched.hpp"
 #include "report/compare/curves.hpp"
 #include "report/text/check_c_view.hpp"
 #include "results/curves/run_results.hpp"
@@ -42,13 +43,7 @@ void judge_run_of(const std::string& log, bool by_directory, const RunReadOption
     diagnostics.add({gapcheck::Severity::note, directory, 0, "not judged: " + skip});
 }
 
-}  // namespace
-
-Result<Report> read_run(const std::vector<std::string>& paths, const RunReadOptions& options) {
-  if (paths.empty())
-    return plain_error("no file is given; give the messag, mesNNNN or d3hsp files of a run, or its directory");
-  if (std::string fault = option_fault(options); !fault.empty()) return plain_error(std::move(fault));
-  const Jobs jobs(options.jobs);
+Result<Report> report_of_run(const std::vector<std::string>& paths, const RunReadOptions& options) {
   gapcheck::Diagnostics diagnostics;
   const auto files = results::log_files(paths);
   if (!files) return error_of(files.error(), diagnostics);
@@ -68,6 +63,16 @@ Result<Report> read_run(const std::vector<std::string>& paths, const RunReadOpti
   gapcheck::Report picked = report::pick(std::move(read).value(), only);
   results::add_parts(mesh.value(), picked);
   return report_of(std::move(picked), diagnostics);
+}
+
+}  // namespace
+
+Result<Report> read_run(const std::vector<std::string>& paths, const RunReadOptions& options) {
+  if (paths.empty())
+    return plain_error("no file is given; give the messag, mesNNNN or d3hsp files of a run, or its directory");
+  if (std::string fault = option_fault(options); !fault.empty()) return plain_error(std::move(fault));
+  const Jobs jobs(options.jobs);
+  return watched(options.watch, "the reading was stopped", [&] { return report_of_run(paths, options); });
 }
 
 Result<Curves> read_curves(const std::string& directory) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/stopwatch.hpp"
+#include "base/work_watch.hpp"
 #include "contact/definition/exclusions.hpp"
 #include "contact/definition/repeated_contacts.hpp"
 #include "contact/edge/edge_pairs.hpp"
@@ -103,6 +104,7 @@ class Initialiser {
       const model::Contact& contact = model_.contact(c);
       const ContactType type = classify(contact);
       state_.contacts.push_back(summary_of(contact, type));
+      if (work_stopped()) continue;
       const SweepCounters before = counters_.sweep;
       if (!chosen_.empty() && !std::binary_search(chosen_.begin(), chosen_.end(), contact.id.value))
         state_.contacts.back().not_checked = "not selected";

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "errors.hpp"
+
 namespace gapcheck::python {
 
 namespace py = pybind11;
@@ -53,5 +55,15 @@ class Callback {
   std::optional<py::error_already_set> raised_;
   Clock::time_point next_{};
 };
+
+/// Does work whose options have a `watch`, without the lock of the interpreter, and takes its result. Ctrl-C ends it.
+template <class Options, class Work>
+[[nodiscard]] auto interruptible(Options& options, const Work& work) {
+  Callback signals{py::none()};
+  options.watch = [&signals] { return signals([] { return py::tuple(); }); };
+  auto result = without_lock(work);
+  signals.raise_again();
+  return taken(std::move(result));
+}
 
 }  // namespace gapcheck::python

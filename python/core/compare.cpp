@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "errors.hpp"
+#include "callback.hpp"
 #include "module.hpp"
 #include "options.hpp"
 #include "record.hpp"
@@ -38,7 +38,7 @@ api::Comparison comparison(const py::object& first_path, const py::object& secon
   given.take("curve_tolerance", settings.curve_tolerance);
   given.take("curve_names", settings.curve_names);
   given.take_jobs(settings.jobs);
-  return worked([&] { return api::compare(first, second, settings); });
+  return interruptible(settings, [&] { return api::compare(first, second, settings); });
 }
 
 void add_differences(py::module_& module) {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "errors.hpp"
+#include "callback.hpp"
 #include "module.hpp"
 #include "options.hpp"
 #include "record.hpp"
@@ -34,7 +34,7 @@ api::Fix fix_of(const py::object& path, const py::dict& options) {
   given.take("recommended", settings.recommended);
   given.take("free_welds", settings.free_welds);
   given.take_jobs(settings.jobs);
-  return worked([&] { return api::fix_deck(deck, settings); });
+  return interruptible(settings, [&] { return api::fix_deck(deck, settings); });
 }
 
 void add_parts_of_fixes(py::module_& module) {

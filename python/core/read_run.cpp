@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "errors.hpp"
+#include "callback.hpp"
 #include "module.hpp"
 #include "options.hpp"
 #include "record.hpp"
@@ -27,7 +28,7 @@ api::Report run_report(const py::object& paths, const py::dict& options) {
   given.take("select", read.select);
   given.take("ignore", read.ignore);
   given.take_jobs(read.jobs);
-  return worked([&] { return api::read_run(files, read); });
+  return interruptible(read, [&] { return api::read_run(files, read); });
 }
 
 /// A view into a curve, which its Curves keeps alive.

@@ -124,5 +124,26 @@ TEST(ApiCompare, AnEmptyComparisonIsWritten) {
   EXPECT_FALSE(api::json(api::Comparison{}).empty());
 }
 
+TEST(ApiCompare, TheCallerMayStopItAtAnyTime) {
+  const NewFolder folder;
+  const std::string a = short_run(folder, "a", "two_plates.k", 3), b = short_run(folder, "b", "two_plates.k", 3);
+  for (const auto& [first, second] : {std::pair(data("two_plates.k"), data("ignore_2.k")), std::pair(a, b)}) {
+    api::CompareOptions options;
+    int asked = 0;
+    options.watch = [&asked] { return ++asked > 0; };
+    ASSERT_TRUE(api::compare(first, second, options).ok());
+    const int all = asked;
+    EXPECT_GT(all, 8);
+    for (const int last : {1, all / 2, all}) {
+      asked = 0;
+      options.watch = [&asked, last] { return ++asked < last; };
+      const auto stopped = api::compare(first, second, options);
+      ASSERT_FALSE(stopped.ok()) << last;
+      EXPECT_EQ(stopped.error().message, "the comparison was stopped");
+      EXPECT_EQ(asked, last);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gapcheck::api_test::compare_test

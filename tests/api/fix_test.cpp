@@ -107,5 +107,22 @@ TEST(ApiFix, AnIncompleteDeckIsAnErrorWithItsDiagnostics) {
   EXPECT_NE(first.message.find("missing.k"), std::string::npos) << first.message;
 }
 
+TEST(ApiFix, TheCallerMayStopItAtAnyTime) {
+  api::FixOptions options;
+  int asked = 0;
+  options.watch = [&asked] { return ++asked > 0; };
+  ASSERT_TRUE(api::fix_deck(data("two_plates.k"), options).ok());
+  const int all = asked;
+  EXPECT_GT(all, 20);
+  for (const int last : {1, 2, all / 2, all - 1, all}) {
+    asked = 0;
+    options.watch = [&asked, last] { return ++asked < last; };
+    const auto fix = api::fix_deck(data("two_plates.k"), options);
+    ASSERT_FALSE(fix.ok()) << last;
+    EXPECT_EQ(fix.error().message, "the correction was stopped");
+    EXPECT_EQ(asked, last) << "a no is not asked for again";
+  }
+}
+
 }  // namespace
 }  // namespace gapcheck::api_test::fix_test

@@ -114,5 +114,23 @@ TEST(ApiReadRun, ARunOfOurOwnHasPartsAndCurves) {
   EXPECT_FALSE(api::read_curves(folder / "nowhere").ok());
 }
 
+TEST(ApiReadRun, TheCallerMayStopIt) {
+  const NewFolder folder;
+  std::string log = content(fixture("smp/messag"));
+  for (int line = 0; line < 10'000; ++line) log += " a line without a meaning\n";
+  const std::string path = folder.file("messag", log);
+  api::RunReadOptions options;
+  int asked = 0;
+  options.watch = [&asked] { return ++asked > 0; };
+  ASSERT_TRUE(api::read_run({path}, options).ok());
+  EXPECT_GT(asked, 9);
+  asked = 0;
+  options.watch = [&asked] { return ++asked < 5; };
+  const auto stopped = api::read_run({path}, options);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().message, "the reading was stopped");
+  EXPECT_EQ(asked, 5);
+}
+
 }  // namespace
 }  // namespace gapcheck::api_test::read_run_test

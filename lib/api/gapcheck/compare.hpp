@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <gapcheck/includes.hpp>
 #include <gapcheck/report.hpp>
 #include <gapcheck/result.hpp>
@@ -22,6 +23,9 @@ struct CompareOptions {
   double curve_tolerance = 1e-3;                 ///< share of the larger one by which curves and nodes may differ
   std::vector<std::string> curve_names = {};     ///< only curves with one of these texts in their name; empty: all
   std::size_t jobs = 0;                          ///< as AuditOptions::jobs
+  /// Called now and then by the thread that works, which waits for it. False stops the comparison, which is an error
+  /// then. It must not throw. Empty: no calls.
+  std::function<bool()> watch = {};
 };
 
 /// How the records of one contact agree. Numbers of nodes, except for the difference of depths.

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <gapcheck/includes.hpp>
 #include <gapcheck/result.hpp>
 #include <memory>
@@ -31,6 +32,9 @@ struct FixOptions {
   bool recommended = false;  ///< nodes of contacts with IGNORE = 2 go where the solver recommends; no others move
   bool free_welds = false;   ///< nodes of spot welds, rivets and weld elements may move against each other
   std::size_t jobs = 0;      ///< as AuditOptions::jobs
+  /// Called now and then by the thread that works, which waits for it. False stops the correction, which is an error
+  /// then. It must not throw. Empty: no calls.
+  std::function<bool()> watch = {};
 };
 
 /// One contact before and after the correction.
@@ -120,7 +124,8 @@ struct Fix {
 /// Moves nodes as little as possible until nothing penetrates initially any more. Writes nothing: `changed` holds the
 /// new texts, which take as much memory as the files. Errors: the deck cannot be read in full; a keyword that moves or
 /// creates nodes and is not known; an option that names no part or node of the deck, or no valid number. Takes minutes
-/// at most. May be called from several threads at once.
+/// at most; FixOptions::watch stops it in less than the time of a search of all contacts. May be called from several
+/// threads at once.
 ///
 ///     const auto fix = gapcheck::api::fix_deck("model.k");
 ///     if (!fix) return fail(fix.error());

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <gapcheck/report.hpp>
 #include <gapcheck/result.hpp>
 #include <optional>
@@ -21,6 +22,9 @@ struct RunReadOptions {
   std::vector<std::string> select = {};          ///< judge only by these rules (GC6xx); empty: by all
   std::vector<std::string> ignore = {};          ///< not by these
   std::size_t jobs = 0;                          ///< as AuditOptions::jobs
+  /// Called now and then by the thread that works, which waits for it. False stops the reading, which is an error then.
+  /// It must not throw. Empty: no calls.
+  std::function<bool()> watch = {};
 };
 
 /// Reads what the solver's message files say about the contacts: one or more of messag, mesNNNN, d3hsp, status.out of

@@ -13,6 +13,7 @@
 #include "audit/fix/left_crossings.hpp"
 #include "audit/fix/mover.hpp"
 #include "audit/fix/proposals.hpp"
+#include "base/work_watch.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -223,6 +224,7 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
     else
       chosen->show();
   }
+  if (work_stopped()) return plain_error("the correction was stopped");
   Mover& mover = *chosen;
   const std::vector<NodeIndex> moved = mover.moved();
   report.crossings_before = mover.crossings_before();

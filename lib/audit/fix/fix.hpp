@@ -45,7 +45,7 @@ struct Fix {
 /// contacts press out over time (IGNORE = 3, 4) and those of INTERFERENCE are left alone. With FixOptions::recommended
 /// no least movement is sought, elements may lose their shape, and what the moves make penetrate is reported as
 /// unfixed. Errors: the deck cannot be read as a model, has unread keywords that move or create nodes, or lacks
-/// something that the options name.
+/// something that the options name; the work is stopped.
 [[nodiscard]] Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options,
                                            Diagnostics& diagnostics);
 

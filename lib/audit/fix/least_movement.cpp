@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/work_watch.hpp"
+
 namespace gapcheck::audit {
 namespace {
 
@@ -69,7 +71,7 @@ class Acceleration {
     direction_.assign(active_.size(), 0);
     double old = 0;  // 0: starts along the residual
     std::size_t step = 0;
-    for (; step < steps; ++step) {
+    for (; step < steps && !work_stopped(); ++step) {
       double worst = 0, now = 0;
       for (std::size_t k = 0; k < active_.size(); ++k) {
         const MoveCondition& c = conditions_[active_[k]];
@@ -148,7 +150,7 @@ MovementResult least_movement(std::span<MoveCondition> conditions, std::span<con
   MovementResult result;
   std::size_t since = 0;
   Acceleration acceleration(conditions, compliances, mobility, moves);
-  for (; result.sweeps < sweeps; ++result.sweeps) {
+  for (; result.sweeps < sweeps && !work_stopped(); ++result.sweeps) {
     result.worst = 0;
     double largest_step = 0;
     for (std::size_t i = 0; i < conditions.size(); ++i) {

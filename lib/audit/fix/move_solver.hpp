@@ -7,14 +7,15 @@
 #include "audit/fix/move_conditions.hpp"
 #include "audit/fix/move_start.hpp"
 #include "audit/fix/writable_nodes.hpp"
+#include "base/work_watch.hpp"
 
 namespace gapcheck::audit {
 
-/// How much work was done, and how much may be (FixOptions::work).
+/// How much work was done, and how much may be (FixOptions::work); none any more once it is stopped.
 struct WorkBudget {
   std::uint64_t done = 0, most = 0;
   void allow(std::uint64_t more) { most = done + more; }
-  [[nodiscard]] bool used_up() const { return done > most; }
+  [[nodiscard]] bool used_up() const { return done > most || work_stopped(); }
   [[nodiscard]] std::uint64_t left() const { return used_up() ? 0 : most - done; }
 };
 

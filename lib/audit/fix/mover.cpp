@@ -44,6 +44,7 @@ void Mover::run() {
   start_on_ties();
   start_again();
   search(options_.work);
+  if (work_stopped()) return;
   // Elements that would cross are held, and the others must move without them.
   std::optional<BestMove> best;
   for (int attempt = 0;; ++attempt) {
@@ -52,6 +53,7 @@ void Mover::run() {
     if ((change.none_new && !change.left_alone) || attempt == crossing_attempts) break;
     start_again();
     search(options_.work / crossing_attempts);
+    if (work_stopped()) return;
   }
   if (best) {
     best_ = std::move(*best);
@@ -121,6 +123,7 @@ void Mover::search(std::uint64_t work) {
   std::uint32_t worse = 0;
   bool settled = false;
   for (std::uint32_t round = 1; round <= options_.rounds; ++round) {
+    if (work_stopped()) return;
     ++rounds_;
     const std::vector<Vector> written = writable_.written(x);
     Judgement now = judge(written);

@@ -29,6 +29,7 @@ class Mover {
         Crossings crossings = Crossings::stay);
   Mover(const Mover&) = delete;
   Mover& operator=(const Mover&) = delete;
+  /// Once the work is stopped, it ends somewhere on the way.
   void run();
 
   /// Gives the model these coordinates again, after it had others.

@@ -11,6 +11,7 @@
 #include "audit/fix/thickness_trial.hpp"
 #include "audit/shared/free_thickness.hpp"
 #include "audit/shared/records_of.hpp"
+#include "base/work_watch.hpp"
 #include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit {
@@ -103,7 +104,10 @@ class Proposer {
     for (const auto& [key, records] : pairs_) ++pairs_of_contact_[std::get<0>(key)];
     find_cards();
     std::vector<FixProposal> list;
-    for (const auto& [key, records] : pairs_) list.push_back(proposal(key, records));
+    for (const auto& [key, records] : pairs_) {
+      if (work_stopped()) break;
+      list.push_back(proposal(key, records));
+    }
     return list;
   }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "base/work_watch.hpp"
 #include "report/compare/curve_samples.hpp"
 
 namespace gapcheck::report {
@@ -162,7 +163,7 @@ CurveComparison compare_curves(const std::vector<Curve>& first, const std::vecto
   sizes.add(first);
   sizes.add(second);
   const Positions in_first = curve_positions(first), in_second = curve_positions(second);
-  for (std::size_t i = 0; i < first.size(); ++i) {
+  for (std::size_t i = 0; i < first.size() && !work_stopped(); ++i) {
     const auto other = in_second.find(first[i].name);
     if (other == in_second.end() || !chosen(first[i], options.names)) continue;
     CurvePair pair;

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/work_watch.hpp"
 #include "results/d3plot/mesh_source.hpp"
 
 namespace gapcheck::report {
@@ -151,7 +152,7 @@ MotionComparison compare_motion(const D3plotStates& first, const D3plotStates& s
   double latest = -std::numeric_limits<double>::infinity();
   for (const double time : first.times()) {
     if (time < second.times().front() || time > result.end_second || time <= latest) continue;
-    if (!a.move_to(time) || !b.move_to(time)) break;
+    if (work_stopped() || !a.move_to(time) || !b.move_to(time)) break;
     latest = time;
     result.times.push_back(time);
     add_state(first, second, a, b, pairs, time, result);

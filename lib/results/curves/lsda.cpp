@@ -10,6 +10,8 @@
 #include <optional>
 #include <type_traits>
 
+#include "base/work_watch.hpp"
+
 namespace gapcheck::results {
 namespace {
 
@@ -177,7 +179,7 @@ Status read_lsda(std::string_view bytes, const std::string& name, const std::fun
   if (!header) return Diagnostic{Severity::error, name, 0, "not a binout: it lacks the header of an LSDA file"};
   LsdaReader reader(*header, visit);
   std::string_view rest = bytes.substr(header->bytes);
-  while (!rest.empty()) {
+  while (!rest.empty() && !work_stopped()) {
     const std::size_t at = bytes.size() - rest.size();
     Fields fields(rest, header->swapped);
     const auto length = fields.integer(header->length_bytes);

@@ -4,10 +4,14 @@
 #include <cstring>
 #include <limits>
 
+#include "base/work_watch.hpp"
+
 namespace gapcheck::results {
 namespace {
 
 constexpr std::size_t rare_step = std::size_t{1} << 18;
+/// So often the reader asks whether it is to go on.
+constexpr std::uint32_t asking_step = 1 << 10;
 
 }  // namespace
 
@@ -53,6 +57,12 @@ bool Lines::read_on() {
   return status_.ok();
 }
 
+/// Nothing more is read.
+void Lines::end_here() {
+  file_ = nullptr;
+  next_ = text_.size();
+}
+
 /// The next line feed, or the end of the text.
 std::size_t Lines::next_feed() {
   std::size_t feed = feeds_.find(text_, next_, text_.size());
@@ -61,6 +71,7 @@ std::size_t Lines::next_feed() {
 }
 
 void Lines::advance() {
+  if (number_ % asking_step == 0 && work_stopped()) end_here();
   if (next_ >= text_.size() && !read_on()) {
     done_ = true;
     line_ = {};

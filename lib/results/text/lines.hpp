@@ -10,7 +10,7 @@ namespace gapcheck::results {
 
 /// Iterates over the lines of a text in memory without copying, or of a file that is read as far as they go. LF, CR LF,
 /// CR CR LF and CR all end a line; leading and trailing NUL bytes of a line are left out. The text must outlive the
-/// views. Work is linear in the size for any input.
+/// views. Work is linear in the size for any input. Where the work is stopped, the lines end.
 class Lines {
  public:
   /// Longer lines are cut to this many bytes (see `cut_lines`).
@@ -52,6 +52,7 @@ class Lines {
   };
 
   bool read_on();
+  void end_here();
   [[nodiscard]] std::size_t next_feed();
   void check_line(std::size_t begin, std::size_t end);
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/work_watch.hpp"
+
 namespace gapcheck::results::lines_test {
 namespace {
 
@@ -146,6 +148,23 @@ TEST(Lines, OfAFileThatBecomesShorterEndWhereItFails) {
   EXPECT_LE(lines.offset(), 10'000'000u);
   EXPECT_GT(lines.offset(), 1'000'000u);
   std::filesystem::remove(path);
+}
+
+TEST(Lines, EndWhereTheWorkIsStopped) {
+  std::string text;
+  for (int line = 0; line < 5000; ++line) text += "line\n";
+  int asked = 0;
+  const std::function<bool()> go_on = [&asked] { return ++asked < 3; };
+  const WorkWatch watch(go_on);
+  std::size_t read = 0;
+  Lines lines(text);
+  for (; !lines.done(); lines.advance()) ++read;
+  EXPECT_GT(read, 1000u);
+  EXPECT_LT(read, 4000u);
+  EXPECT_EQ(asked, 3);
+  lines.advance();
+  EXPECT_TRUE(lines.done());
+  EXPECT_TRUE(Lines(text).done()) << "nothing is begun any more";
 }
 
 }  // namespace
