@@ -4,7 +4,6 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -102,16 +101,8 @@ Status write_start(const StartArguments& arguments, const StartReport& report) {
 
 /// The deck and the start, if that is asked for.
 Status write_pictures(const StartArguments& arguments, const model::Nodes& nodes, const solver::Start& start) {
-  std::vector<NodeMove> moves;
-  double largest = 0;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (start.x[n] == nodes.x[n] || !start.x[n].allFinite()) continue;
-    moves.push_back({nodes.id[n], start.x[n]});
-    largest = std::max(largest, (start.x[n] - nodes.x[n]).norm());
-  }
-  std::string said = fmt::format("{} node{} moved before the first cycle, by at most {:.6g}", moves.size(),
-                                 moves.size() == 1 ? " is" : "s are", largest);
-  return write(arguments.pictures, arguments.deck, arguments.read, std::move(moves), std::move(said));
+  solver::ShownMoves shown = solver::shown_moves(nodes, start);
+  return write(arguments.pictures, arguments.deck, arguments.read, std::move(shown.moves), std::move(shown.said));
 }
 
 /// Counters, on standard error.

@@ -273,6 +273,16 @@ Result<Report> audit_deck(const std::string& path, const AuditOptions& options, 
   return audit([&] { return keyword::read_deck(path, options.read, diagnostics); }, path, options, diagnostics);
 }
 
+Result<Report> audit_with_moves(const std::string& path, const AuditOptions& options, std::vector<NodeMove> moves,
+                                std::string said, Diagnostics& diagnostics) {
+  auto report = audit_deck(path, options, diagnostics);
+  if (!report) return report;
+  report.value().moves = std::move(moves);
+  std::ranges::sort(report.value().moves, {}, &NodeMove::node);
+  report.value().said_of_moves = std::move(said);
+  return report;
+}
+
 Result<Report> audit_text(std::string text, const std::string& name, const AuditOptions& options,
                           Diagnostics& diagnostics) {
   return audit([&] { return keyword::read_deck_text(std::move(text), name, options.read, diagnostics); }, name, options,

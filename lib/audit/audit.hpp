@@ -10,6 +10,7 @@
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
 #include "model/assumption.hpp"
+#include "records/node_move.hpp"
 #include "records/report.hpp"
 
 namespace gapcheck::audit {
@@ -41,7 +42,12 @@ struct AuditOptions {
 /// input errors are in `diagnostics` (then exit code 2, but the report has what could be audited); `watch` stopped it.
 Result<Report> audit_deck(const std::string& path, const AuditOptions& options, Diagnostics& diagnostics);
 
-/// The same for a deck in memory.
+/// The same, and the report shows where nodes go: what pages and grids draw before and after. `said`: a sentence about
+/// the moves.
+Result<Report> audit_with_moves(const std::string& path, const AuditOptions& options, std::vector<NodeMove> moves,
+                                std::string said, Diagnostics& diagnostics);
+
+/// The same as audit_deck() for a deck in memory.
 Result<Report> audit_text(std::string text, const std::string& name, const AuditOptions& options,
                           Diagnostics& diagnostics);
 

@@ -9,6 +9,7 @@
 
 #include "base/vector.hpp"
 #include "records/expected_contact.hpp"
+#include "records/penetration.hpp"
 
 namespace gapcheck {
 
@@ -27,6 +28,21 @@ struct StartMove {
   std::int64_t part = 0, other_part = 0;  ///< ids of the node's part and of the segment's; 0: not known
   Vector from = Vector::Zero(), to = Vector::Zero();
   StartCause cause = StartCause::shot;
+};
+
+/// A node that penetrates as the first cycle begins, beyond the rounding of its coordinates.
+struct StartNode {
+  std::uint32_t contact = 0;  ///< position in StartReport::contacts
+  std::int64_t node = 0;
+  std::int64_t part = 0, other_part = 0;  ///< ids of the node's part and of the segment's; 0: not known
+  Outcome outcome = Outcome::forced;      ///< kept, forced or released
+  /// Kept: the penetration that IGNORE forgives; forced: the one that the spring pushes against; released: the way back
+  /// out of the contact zone.
+  double depth = 0;
+  double contact_distance = 0;  ///< 0: without contact thickness
+  double energy = 0;            ///< of its spring; 0: it has none, or it is not known
+  /// Further penetration with which it is released; infinity: none, or not known.
+  double to_release = std::numeric_limits<double>::infinity();
 };
 
 /// An element with a moved node, in the deck and at the start.
@@ -121,6 +137,7 @@ struct StartReport {
   std::vector<StartContact> contacts;  ///< in deck order
   std::vector<StartPair> pairs;        ///< by contact, then parts; only those with which something happens
   std::vector<StartMove> moves;        ///< in the order in which they happen
+  std::vector<StartNode> nodes;        ///< by contact, deepest first, then by node
   std::vector<StartRepeat> repeats;    ///< ascending by node
   std::vector<StartElement> elements;  ///< visibly changed or collapsed: collapsed ones first, then by loss of step
   StartShapes shapes;                  ///< of all moves together

@@ -1,6 +1,7 @@
 #include <gapcheck/mesh.hpp>
 #include <gapcheck/records.hpp>
 #include <gapcheck/report.hpp>
+#include <gapcheck/start.hpp>
 #include <string_view>
 
 #include "convert.hpp"
@@ -96,6 +97,7 @@ void add_columns(py::module_& module) {
   names["feature"] = words(api::Feature::corner, &api::name);
   names["thickness_rule"] = words(api::ThicknessRule::beam_section, &api::name);
   names["reason"] = words(api::TieReason::conflict, &api::name);
+  names["cause"] = words(api::StartCause::first_cycle, &api::name);
   names["element"] = py::make_tuple("shell", "solid", "thick-shell", "beam", "particle");
   names["kind_rule"] = words(api::PenetrationKind::edge, &api::rule_id);
   names["reason_rule"] = words(api::TieReason::conflict, &api::rule_id);

@@ -16,5 +16,6 @@ PYBIND11_MODULE(_core, module) {
   gapcheck::python::add_compare(module);
   gapcheck::python::add_fix(module);
   gapcheck::python::add_run(module);
+  gapcheck::python::add_start(module);
   gapcheck::python::add_write(module);
 }

@@ -12,6 +12,7 @@ void add_read_run(pybind11::module_& module);
 void add_compare(pybind11::module_& module);
 void add_fix(pybind11::module_& module);
 void add_run(pybind11::module_& module);
+void add_start(pybind11::module_& module);
 void add_write(pybind11::module_& module);
 
 }  // namespace gapcheck::python

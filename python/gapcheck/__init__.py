@@ -17,9 +17,10 @@ from .fixes import Fix, fix
 from .mesh import ElementKind, Mesh
 from .report import Report
 from .runs import Curves, read_curves, read_log, read_motion, read_run, run
+from .starts import Start, StartCause, StartMoves, StartNodes, start
 from .tables import Records
 
 __all__ = ["Columns", "Comparison", "Curves", "ElementKind", "Error", "Feature", "Fix", "Mesh", "Outcome",
-           "PenetrationKind", "Penetrations", "Records", "Report", "ThicknessRule", "TieReason", "Ties", "__version__",
-           "audit", "audit_arrays", "audit_text", "compare", "fix", "read_curves", "read_log", "read_motion", "read_run",
-           "rules", "run", "shell_deck"]
+           "PenetrationKind", "Penetrations", "Records", "Report", "Start", "StartCause", "StartMoves", "StartNodes", "ThicknessRule",
+           "TieReason", "Ties", "__version__", "audit", "audit_arrays", "audit_text", "compare", "fix", "read_curves",
+           "read_log", "read_motion", "read_run", "rules", "run", "shell_deck", "start"]

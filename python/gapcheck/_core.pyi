@@ -2,7 +2,7 @@
 from os import PathLike
 from typing import Any
 
-from numpy import float64, int64, ndarray
+from numpy import float64, int64, ndarray, uint64
 from numpy.typing import NDArray
 
 _Path = str | bytes | PathLike[str] | PathLike[bytes]
@@ -425,5 +425,171 @@ def read_run(paths: Any, options: dict[str, Any]) -> Report: ...
 def read_motion(path: _Path, options: dict[str, Any]) -> Motion: ...
 def read_curves(directory: _Path) -> Curves: ...
 def compare(first: _Path, second: _Path, options: dict[str, Any]) -> Comparison: ...
+class StartContact:
+    _fields: tuple[str, ...]
+    id: int
+    title: str
+    keyword: str
+    score: str
+    not_known: str
+    no_energy: str
+    moved: int
+    largest_move: float
+    total_move: float
+    histogram: NDArray[uint64]
+    kept: int
+    deepest_kept: float
+    least_share: float | None
+    forced: int
+    deepest_forced: float
+    energy: float
+    released: int
+    way_out: float
+    to_release: float | None
+    touched: int
+    changed: int
+    collapsed: int
+
+class StartPair:
+    _fields: tuple[str, ...]
+    contact: int
+    part: int
+    other_part: int
+    moved: int
+    largest_move: float
+    total_move: float
+    histogram: NDArray[uint64]
+    kept: int
+    deepest_kept: float
+    least_share: float | None
+    forced: int
+    deepest_forced: float
+    energy: float
+    released: int
+    way_out: float
+    to_release: float | None
+    touched: int
+    changed: int
+    collapsed: int
+
+class StartRepeat:
+    _fields: tuple[str, ...]
+    node: int
+    contacts: list[int]
+    path: float
+    net: float
+    back: bool
+
+class StartShape:
+    _fields: tuple[str, ...]
+    edge_ratio: float
+    warp: float
+    size: float
+    step: float
+
+class StartElement:
+    _fields: tuple[str, ...]
+    kind: str
+    id: int
+    part: int
+    contact: int
+    before: StartShape
+    after: StartShape
+    inverted: bool
+    flat: bool
+
+class StartCrossing:
+    _fields: tuple[str, ...]
+    kind: str
+    id: int
+    part: int
+    other_kind: str
+    other_id: int
+    other_part: int
+    contact: int
+    moved_by: int
+    depth: float
+
+class StartRefusal:
+    _fields: tuple[str, ...]
+    keyword: str
+    file: str
+    line: int
+    why: str
+
+class ExpectedContact:
+    _fields: tuple[str, ...]
+    contact: int
+    part: int
+    other_part: int
+    nodes: int
+    node: int
+    time: float
+    speed: float
+    in_step: float | None
+    crossing: int
+    margin: float | None
+    alone: float | None
+    low: float | None
+    high: float | None
+    reason: str
+    lost: bool
+    held: bool
+    never_released: bool
+
+class ExpectedWall:
+    _fields: tuple[str, ...]
+    wall: int
+    part: int
+    nodes: int
+    node: int
+    time: float
+    speed: float
+
+class ExpectedContacts:
+    _fields: tuple[str, ...]
+    until: float
+    end: float
+    step: float
+    contacts: tuple[ExpectedContact, ...]
+    walls: tuple[ExpectedWall, ...]
+    not_looked_at: tuple[str, ...]
+
+class Start:
+    _fields: tuple[str, ...]
+    input: str
+    clean: bool
+    files: tuple[str, ...]
+    contacts: tuple[StartContact, ...]
+    pairs: tuple[StartPair, ...]
+    moves: dict[str, ndarray]
+    nodes: dict[str, ndarray]
+    node: NDArray[int64]
+    deck_points: NDArray[float64]
+    points: NDArray[float64]
+    repeats: tuple[StartRepeat, ...]
+    elements: tuple[StartElement, ...]
+    crossings: tuple[StartCrossing, ...]
+    expected: ExpectedContacts | None
+    moved: int
+    largest_move: float
+    energy: float
+    touched: int
+    changed: int
+    collapsed: int
+    kinetic: float | None
+    first_step: float | None
+    step_before: float
+    step_after: float
+    first_cycle: bool
+    refused: tuple[StartRefusal, ...]
+    notes: tuple[str, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    def text(self, top: int) -> str: ...
+    def json(self) -> str: ...
+    def html(self) -> str | None: ...
+    def vtu(self) -> str | None: ...
+
 def fix_deck(path: _Path, options: dict[str, Any]) -> Fix: ...
 def run_deck(deck: _Path, directory: _Path, options: dict[str, Any]) -> RunSummary: ...
+def start_deck(path: _Path, options: dict[str, Any]) -> Start: ...

@@ -31,7 +31,7 @@ class Columns:
 
     _words = {}  # column: words of its codes
     _parts = {}  # column: names of its parts, for frames
-    _rule = ""  # column whose codes lead to a rule, and the words of these
+    _rule = ""  # column whose codes lead to a rule, and the words of these; empty: none does
 
     def __init__(self, arrays, contacts, files):
         self._arrays, self._contacts, self._files = arrays, contacts, files
@@ -56,10 +56,11 @@ class Columns:
 
     def words(self, column):
         """n words of a column of codes: words("outcome") has "moved", "kept", …; words("rule") has "GC101", …"""
-        if column == "rule":
+        if column == "rule" and self._rule:
             return numpy.array(_core.names[self._rule + "_rule"])[self._arrays[self._rule]]
         if column not in self._words:
-            raise KeyError(f"{column!r} is no column of codes; there are {', '.join(sorted(self._words))} and rule")
+            listed = sorted(self._words) + ["rule"] * bool(self._rule)
+            raise KeyError(f"{column!r} is no column of codes; there are {', '.join(listed)}")
         return numpy.array(_core.names[self._words[column]])[self._arrays[column]]
 
     def to_numpy(self):
@@ -74,8 +75,10 @@ class Columns:
         """A pandas.DataFrame of n rows: codes are categories, contacts are ids, files are paths, and arrays of n × k
         are k columns (position_x, position_y, position_z). Needs pandas."""
         import pandas
-        series = {"rule": pandas.Categorical.from_codes(*_distinct(self._arrays[self._rule],
-                                                                   _core.names[self._rule + "_rule"]))}
+        series = {}
+        if self._rule:
+            series["rule"] = pandas.Categorical.from_codes(*_distinct(self._arrays[self._rule],
+                                                                      _core.names[self._rule + "_rule"]))
         for name, array in self._arrays.items():
             if name in self._words:
                 series[name] = pandas.Categorical.from_codes(array.astype(numpy.int8),

@@ -31,14 +31,15 @@ def inputs(tmp_path_factory, large):
     gapcheck.run(DATA / "two_plates.k", run, cycles=2)
     with open(run / "messag", "a") as messag:
         messag.write(" a line that says nothing of contacts, of which there may be many in the files of a long run\n" * 4_000_000)
-    return {"fix": (folder / "first.k",), "compare": (folder / "first.k", folder / "second.k"), "read_run": (run,)}
+    return {"fix": (folder / "first.k",), "compare": (folder / "first.k", folder / "second.k"), "read_run": (run,),
+            "start": (folder / "first.k",)}
 
 
 def files_in(folder):
     return sorted((str(path), path.stat().st_size) for path in folder.rglob("*") if path.is_file())
 
 
-@pytest.mark.parametrize("name", ["fix", "compare", "read_run"])
+@pytest.mark.parametrize("name", ["fix", "compare", "read_run", "start"])
 def test_ctrl_c_ends_a_call_within_a_second(name, inputs, tmp_path):
     before = files_in(inputs[name][0].parent)
     child = subprocess.Popen([sys.executable, "-c", SCRIPT, name, *map(str, inputs[name])], stdout=subprocess.PIPE,

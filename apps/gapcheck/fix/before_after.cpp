@@ -1,6 +1,5 @@
 #include "fix/before_after.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "audit/audit.hpp"
@@ -29,12 +28,8 @@ Status write(const BeforeAfter& files, const std::string& deck, const keyword::R
   options.scene = !files.html.empty();
   options.mesh = !files.vtu.empty();
   Diagnostics repeated;  // the deck was read before
-  auto report = audit::audit_deck(deck, options, repeated);
+  const auto report = audit::audit_with_moves(deck, options, std::move(moves), std::move(said), repeated);
   if (!report) return report.error();
-  report.value().moves = std::move(moves);
-  std::sort(report.value().moves.begin(), report.value().moves.end(),
-            [](const NodeMove& a, const NodeMove& b) { return a.node < b.node; });
-  report.value().said_of_moves = std::move(said);
   OutputOptions page;
   page.html = files.html;
   if (Status written = write_page(report.value(), page, {}); !written.ok() || files.vtu.empty()) return written;

@@ -1,5 +1,5 @@
 #pragma once
-// All of the public interface: audit a deck, read a run, compare, fix, run, write reports.
+// All of the public interface: audit a deck, read a run, compare, fix, run, follow the start of a run, write reports.
 #include <gapcheck/arrays.hpp>
 #include <gapcheck/audit.hpp>
 #include <gapcheck/compare.hpp>
@@ -14,4 +14,5 @@
 #include <gapcheck/run.hpp>
 #include <gapcheck/solver_run.hpp>
 #include <gapcheck/version.hpp>
+#include <gapcheck/start.hpp>
 #include <gapcheck/write.hpp>

@@ -1,5 +1,7 @@
 #include "solver/start/start.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -62,6 +64,7 @@ class StartReporter {
     StartReport& report = start_.report;
     report.contacts = contacts_.contacts();
     report.pairs = contacts_.pairs();
+    report.nodes = contacts_.nodes();
     for (const StartContact& contact : report.contacts) report.energy += contact.energy;
     list_elements();
     if (report.moved > 0) report.crossings = created_crossings(model_, surfaces_, start_.x, mover_);
@@ -157,6 +160,19 @@ Start follow_start(const keyword::Deck& deck, const model::Model& model, contact
     if (motion && run.value().status().ok()) reporter.report().expected = expect_contacts(run.value(), *motion);
   }
   return reporter.finish();
+}
+
+ShownMoves shown_moves(const model::Nodes& nodes, const Start& start) {
+  ShownMoves shown;
+  double largest = 0;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (start.x[n] == nodes.x[n] || !start.x[n].allFinite()) continue;
+    shown.moves.push_back({nodes.id[n], start.x[n]});
+    largest = std::max(largest, (start.x[n] - nodes.x[n]).norm());
+  }
+  shown.said = fmt::format("{} node{} moved before the first cycle, by at most {:.6g}", shown.moves.size(),
+                           shown.moves.size() == 1 ? " is" : "s are", largest);
+  return shown;
 }
 
 }  // namespace gapcheck::solver

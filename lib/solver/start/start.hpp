@@ -6,6 +6,7 @@
 #include "contact/surface/contact_surfaces.hpp"
 #include "keyword/deck.hpp"
 #include "model/model.hpp"
+#include "records/node_move.hpp"
 #include "records/start.hpp"
 
 namespace gapcheck::solver {
@@ -22,5 +23,12 @@ struct Start {
 /// this model. What the run would warn of goes to `diagnostics`.
 [[nodiscard]] Start follow_start(const keyword::Deck& deck, const model::Model& model, contact::SurfaceStore& surfaces,
                                  Diagnostics& diagnostics);
+
+/// What pages and grids show of a start.
+struct ShownMoves {
+  std::vector<gapcheck::NodeMove> moves;  ///< of all nodes that are not where the deck has them
+  std::string said;                       ///< a sentence about them
+};
+[[nodiscard]] ShownMoves shown_moves(const model::Nodes& nodes, const Start& start);
 
 }  // namespace gapcheck::solver

@@ -33,22 +33,44 @@ std::vector<ContactNode> deepest_of_each(std::vector<ContactNode> all, double& s
   return list;
 }
 
-void keep(StartCounts& counts, double forgiven, double contact_distance) {
+void keep(StartCounts& counts, const StartNode& node) {
   ++counts.kept;
-  counts.deepest_kept = std::max(counts.deepest_kept, forgiven);
-  if (!(contact_distance > 0)) return;
-  const double share = (contact_distance - forgiven) / contact_distance;
+  counts.deepest_kept = std::max(counts.deepest_kept, node.depth);
+  if (!(node.contact_distance > 0)) return;
+  const double share = (node.contact_distance - node.depth) / node.contact_distance;
   counts.least_share = std::min(counts.least_share.value_or(share), share);
 }
 
-void force(StartCounts& counts, double depth) {
+void force(StartCounts& counts, const StartNode& node) {
   ++counts.forced;
-  counts.deepest_forced = std::max(counts.deepest_forced, depth);
+  counts.deepest_forced = std::max(counts.deepest_forced, node.depth);
 }
 
-void release(StartCounts& counts, double depth) {
+void release(StartCounts& counts, const StartNode& node) {
   ++counts.released;
-  counts.way_out = std::max(counts.way_out, depth);
+  counts.way_out = std::max(counts.way_out, node.depth);
+}
+
+/// What the first cycle does with a node; nothing: it ties it.
+std::optional<Outcome> outcome_of(ContactNode::Kind kind) {
+  switch (kind) {
+    case ContactNode::Kind::touching:
+      return Outcome::forced;
+    case ContactNode::Kind::kept:
+      return Outcome::kept;
+    case ContactNode::Kind::released:
+      return Outcome::released;
+    case ContactNode::Kind::tied:
+    case ContactNode::Kind::broken:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// Of its penetration.
+double counted_depth(const ContactNode& node, Outcome outcome) {
+  if (outcome == Outcome::kept) return node.forgiven;
+  return outcome == Outcome::forced ? node.penetration - node.forgiven : node.penetration;
 }
 
 /// The vector sum of a contact's moves of one node.
@@ -83,33 +105,15 @@ void StartContacts::add_first_cycle(const ContactView& view) {
   const std::vector<Vector>& x = initial_.x;
   double known = 0;
   for (const ContactNode& node : deepest_of_each(view.nodes(), known)) {
-    const Key key{c, id_of(node.part), id_of(node.segment_part)};
-    if (only_rounding(node.penetration, node.contact_distance, x[node.node.value])) continue;
-    const auto limit = [&](StartCounts& counts) {
-      const double left = node.release_depth - node.penetration;
-      if (std::isfinite(left)) counts.to_release = std::min(counts.to_release.value_or(left), left);
-    };
-    switch (node.kind) {
-      case ContactNode::Kind::touching:
-        count(key, [&](StartCounts& counts) {
-          force(counts, node.penetration - node.forgiven);
-          limit(counts);
-        });
-        pairs_[key].energy += node.stored;
-        break;
-      case ContactNode::Kind::kept:
-        count(key, [&](StartCounts& counts) {
-          keep(counts, node.forgiven, node.contact_distance);
-          limit(counts);
-        });
-        break;
-      case ContactNode::Kind::released:
-        count(key, [&](StartCounts& counts) { release(counts, node.penetration); });
-        break;
-      case ContactNode::Kind::tied:
-      case ContactNode::Kind::broken:
-        break;
-    }
+    const std::optional<Outcome> outcome = outcome_of(node.kind);
+    if (!outcome || only_rounding(node.penetration, node.contact_distance, x[node.node.value])) continue;
+    StartNode start{c, model_.mesh.nodes.id[node.node.value], id_of(node.part), id_of(node.segment_part), *outcome};
+    start.depth = counted_depth(node, *outcome);
+    start.contact_distance = node.contact_distance;
+    if (outcome == Outcome::forced) start.energy = node.stored;
+    if (outcome != Outcome::released) start.to_release = node.release_depth - node.penetration;
+    add(start);
+    pairs_[{c, start.part, start.other_part}].energy += start.energy;
   }
   if (const std::optional<double> stored = view.stored())
     contact.energy += *stored;
@@ -120,23 +124,20 @@ void StartContacts::add_first_cycle(const ContactView& view) {
 void StartContacts::add_others() {
   for (const Penetration& p : initial_.penetrations) {
     if (viewed_[p.contact] || within_rounding(p)) continue;
-    const Key key{p.contact, p.part, p.element_part};
-    switch (p.outcome) {
-      case Outcome::kept:
-        count(key, [&](StartCounts& counts) { keep(counts, p.depth, p.contact_distance); });
-        break;
-      case Outcome::forced:
-        count(key, [&](StartCounts& counts) { force(counts, p.depth); });
-        contacts_[p.contact].no_energy = "the stiffness is that of a run, and the run refuses the deck or the contact";
-        break;
-      case Outcome::released:
-        count(key, [&](StartCounts& counts) { release(counts, p.depth); });
-        break;
-      case Outcome::moved:
-      case Outcome::reported:
-        break;
-    }
+    if (p.outcome == Outcome::moved || p.outcome == Outcome::reported) continue;
+    add({p.contact, p.node, p.part, p.element_part, p.outcome, p.depth, p.contact_distance});
+    if (p.outcome == Outcome::forced)
+      contacts_[p.contact].no_energy = "the stiffness is that of a run, and the run refuses the deck or the contact";
   }
+}
+
+void StartContacts::add(const StartNode& node) {
+  nodes_.push_back(node);
+  count({node.contact, node.part, node.other_part}, [&](StartCounts& counts) {
+    (node.outcome == Outcome::kept ? keep : node.outcome == Outcome::forced ? force : release)(counts, node);
+    if (std::isfinite(node.to_release))
+      counts.to_release = std::min(counts.to_release.value_or(node.to_release), node.to_release);
+  });
 }
 
 void StartContacts::add_moves(std::span<const NodeStep> steps) {
@@ -171,6 +172,12 @@ std::vector<StartContact> StartContacts::contacts() const {
     list[c].keyword = contact.keyword;
     if (!viewed_[c] && list[c].clean()) list[c].not_known = initial_.contacts[c].not_checked;
   }
+  return list;
+}
+
+std::vector<StartNode> StartContacts::nodes() const {
+  std::vector<StartNode> list = nodes_;
+  std::ranges::stable_sort(list, {}, [](const StartNode& n) { return std::tuple(n.contact, -n.depth, n.node); });
   return list;
 }
 

@@ -29,6 +29,8 @@ class StartContacts {
   [[nodiscard]] std::vector<StartContact> contacts() const;
   /// By contact and parts.
   [[nodiscard]] std::vector<StartPair> pairs() const;
+  /// Nodes that penetrate, by contact, deepest first, then by node.
+  [[nodiscard]] std::vector<StartNode> nodes() const;
   /// Nodes that a contact has moved, by contact and by pair, as these are listed.
   [[nodiscard]] const std::vector<std::vector<NodeIndex>>& moved_by_contact() const { return moved_by_contact_; }
   [[nodiscard]] const std::vector<std::vector<NodeIndex>>& moved_by_pair() const { return moved_by_pair_; }
@@ -39,6 +41,8 @@ class StartContacts {
   /// Calls `change` for the counts of the contact and of the pair.
   template <class Change>
   void count(const Key& key, const Change& change);
+  /// Counts and lists a node that penetrates.
+  void add(const StartNode& node);
   [[nodiscard]] std::int64_t id_of(PartIndex part) const {
     return part == none<PartIndex> ? 0 : model_.part(part).id.value;
   }
@@ -48,6 +52,7 @@ class StartContacts {
   std::vector<StartContact> contacts_;
   std::vector<bool> viewed_;  ///< by contact: it has a first cycle
   std::map<Key, StartCounts> pairs_;
+  std::vector<StartNode> nodes_;
   std::vector<std::vector<NodeIndex>> moved_by_contact_, moved_by_pair_;
 };
 
