@@ -5,9 +5,10 @@
 
 #include "api/convert.hpp"
 #include "api/option_check.hpp"
+#include "api/part_history.hpp"
 #include "api/report_store.hpp"
-#include "audit/judge.hpp"
 #include "api/watched.hpp"
+#include "audit/judge.hpp"
 #include "report/compare/curves.hpp"
 #include "report/text/check_c_view.hpp"
 #include "results/curves/run_results.hpp"
@@ -29,18 +30,16 @@ std::string option_fault(const RunReadOptions& options) {
   return check.message();
 }
 
-/// Judges the run by the result files beside its first log. Says what was not judged if the caller may expect it: if
-/// there is any such file, or a directory was given.
-void judge_run_of(const std::string& log, bool by_directory, const RunReadOptions& options, gapcheck::Report& report,
-                  gapcheck::Diagnostics& diagnostics) {
+/// Judges the run by its result files. Says what was not judged if the caller may expect it: if there is any such file,
+/// or a directory was given.
+void judge_by(const results::RunResults& files, bool by_directory, const RunReadOptions& options,
+              gapcheck::Report& report, gapcheck::Diagnostics& diagnostics) {
   constexpr std::size_t judged_files = 4;
-  const std::string directory = fs::path(log).parent_path().string();
-  const results::RunResults files = results::read_run_results(directory, false, diagnostics);
   const audit::JudgeOptions judge{options.select, options.ignore, options.contacts};
   const std::vector<std::string> skips = audit::judge_run(files, judge, report);
   if (files.missing.size() == judged_files && !by_directory) return;
   for (const std::string& skip : skips)
-    diagnostics.add({gapcheck::Severity::note, directory, 0, "not judged: " + skip});
+    diagnostics.add({gapcheck::Severity::note, files.directory, 0, "not judged: " + skip});
 }
 
 Result<Report> report_of_run(const std::vector<std::string>& paths, const RunReadOptions& options) {
@@ -53,7 +52,9 @@ Result<Report> report_of_run(const std::vector<std::string>& paths, const RunRea
   settings.message_files = options.message_tables;
   auto read = results::read_solver_logs(files.value(), settings, diagnostics);
   if (!read) return error_of(read.error(), diagnostics);
-  judge_run_of(log, log != paths.front(), options, read.value(), diagnostics);
+  const results::RunResults beside =
+      results::read_run_results(fs::path(log).parent_path().string(), false, diagnostics);
+  judge_by(beside, log != paths.front(), options, read.value(), diagnostics);
   const auto mesh = results::find_mesh(options.d3plot, log, diagnostics);
   if (!mesh) return error_of(mesh.error(), diagnostics);
   report::CheckCOptions only;
@@ -62,7 +63,9 @@ Result<Report> report_of_run(const std::vector<std::string>& paths, const RunRea
   only.rtol = options.rtol.value_or(-1);
   gapcheck::Report picked = report::pick(std::move(read).value(), only);
   results::add_parts(mesh.value(), picked);
-  return report_of(std::move(picked), diagnostics);
+  Report report = report_of(std::move(picked), diagnostics);
+  report.parts = part_arrays(beside.matsum);
+  return report;
 }
 
 }  // namespace
@@ -80,9 +83,14 @@ Result<Curves> read_curves(const std::string& directory) {
   if (!fs::is_directory(directory, failed)) return Error{directory, 0, "is not a directory; give that of a run", {}};
   gapcheck::Diagnostics diagnostics;
   Curves result;
-  for (report::Curve& curve : report::curves(results::read_run_results(directory, true, diagnostics)))
-    result.curves.push_back({std::move(curve.name), std::move(curve.file), std::move(curve.quantity), curve.contact,
-                             std::move(curve.times), std::move(curve.values), curve.not_numbers});
+  const results::RunResults files = results::read_run_results(directory, true, diagnostics);
+  const auto take = [&result](std::vector<report::Curve> list) {
+    for (report::Curve& curve : list)
+      result.curves.push_back({std::move(curve.name), std::move(curve.file), std::move(curve.quantity), curve.contact,
+                               std::move(curve.times), std::move(curve.values), curve.not_numbers});
+  };
+  take(report::curves(files));
+  take(report::part_curves(files.matsum));
   result.complete = !diagnostics.has_errors();
   result.diagnostics = listed(diagnostics);
   return result;

@@ -151,6 +151,11 @@ void add_report(py::module_& module) {
       .add("ignored", &Report::ignored)
       .add("predicted", &Report::predicted)
       .add("run", &Report::run)
+      .call("parts",
+            [](const py::object& self) {
+              const auto& parts = self.cast<const Report&>().parts;
+              return parts ? py::cast(*parts, py::return_value_policy::reference_internal, self) : py::none();
+            })
       .add("complete", &Report::complete)
       .add_list("diagnostics", &Report::diagnostics)
       .add("diagnostics_left_out", &Report::diagnostics_left_out);

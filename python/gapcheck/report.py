@@ -86,6 +86,13 @@ class Report:
         """What the solver's files say of the whole run; None: none were read."""
         return self._core.run
 
+    @cached_property
+    def parts(self) -> _core.PartHistory | None:
+        """Energies and momenta of P parts at T times of a run, in the model's units: part (P ids), title, times (T),
+        internal, kinetic, hourglass, eroded_internal, eroded_hourglass (T × P), momentum, velocity (T × P × 3), read-only;
+        NaN where the file has no number. From matsum or its branch of a binout; None: there is neither."""
+        return self._core.parts
+
     @property
     def complete(self) -> bool:
         """False: the input could not be read in full; then at least one diagnostic is an error."""

@@ -37,6 +37,8 @@ def read_run(paths, *, d3hsp=None, d3plot=None, message_tables=(), contacts=(), 
     paths: the directory of a run, or one or more of its messag, mesNNNN, d3hsp, status.out.
     d3hsp, d3plot: None: those beside the first file. message_tables: files with additions to the known messages.
     contacts, ptol, rtol, jobs: as those of audit(). select, ignore: rules (GC6xx) to judge the run by, or not.
+
+    Report.parts has the energies and momenta of matsum, or of its branch of a binout, as arrays. Ctrl-C ends the reading.
     """
     return Report(_core.read_run(paths, {"d3hsp": d3hsp, "d3plot": d3plot, "message_tables": message_tables,
                                          "contacts": contacts, "ptol": ptol, "rtol": rtol, "select": select,
@@ -47,7 +49,8 @@ read_log = read_run
 
 
 class Curves(Mapping):
-    """The curves of a run by their names: curves["glstat kinetic energy"].values. A curve has name, file, quantity,
+    """The curves of a run by their names: curves["glstat kinetic energy"].values, curves["matsum part 2 x-momentum"], … A
+    curve has name, file, quantity,
     contact (id; 0: of none), times and values (n, ascending times, read-only), not_numbers (NaN values left out)."""
 
     def __init__(self, core):
@@ -91,5 +94,6 @@ def read_motion(path, *, states=(), velocities=True) -> _core.Motion:
 
 
 def read_curves(directory) -> Curves:
-    """Reads energies, contact forces and energies, and motion of nodes from the files in a run's directory: Curves."""
+    """Reads energies, contact forces and energies, motion of nodes, energies and momenta of parts, … from the text files in
+    a run's directory, or else from its binout: Curves, in the model's units."""
     return Curves(_core.read_curves(directory))

@@ -114,6 +114,27 @@ TEST(ApiReadRun, ARunOfOurOwnHasPartsAndCurves) {
   EXPECT_FALSE(api::read_curves(folder / "nowhere").ok());
 }
 
+TEST(ApiReadRun, CurvesHaveThoseOfParts) {
+  const NewFolder folder;
+  api::RunOptions settings;
+  settings.until = 0.02;
+  const std::string deck =
+      folder.file("deck.k", content(data("workshop/rebound_reference.k")).insert(9, "*DATABASE_MATSUM\n0.01\n"));
+  ASSERT_TRUE(api::run_deck(deck, folder / "out", settings).ok());
+  const auto curves = api::read_curves(folder / "out");
+  const auto run = api::read_run({folder / "out"});
+  ASSERT_TRUE(curves.ok() && run.ok() && run.value().parts.has_value());
+  const api::PartHistory& parts = *run.value().parts;
+  const std::string name = "matsum part " + std::to_string(parts.part[0]) + " kinetic energy";
+  const auto found = std::find_if(curves.value().curves.begin(), curves.value().curves.end(),
+                                  [&](const api::Curve& curve) { return curve.name == name; });
+  ASSERT_NE(found, curves.value().curves.end());
+  EXPECT_EQ(found->quantity, "energy");
+  ASSERT_EQ(found->times, parts.times);
+  for (std::size_t t = 0; t < found->values.size(); ++t)
+    EXPECT_EQ(found->values[t], parts.kinetic[t * parts.part.size()]);
+}
+
 TEST(ApiReadRun, TheCallerMayStopIt) {
   const NewFolder folder;
   std::string log = content(fixture("smp/messag"));

@@ -1,5 +1,6 @@
 """Runs and their files, comparisons."""
 import json
+import shutil
 import subprocess
 
 import numpy
@@ -59,6 +60,80 @@ def test_curves(runs):
         gapcheck.read_curves(runs / "plates")["no such curve"]
     with pytest.raises(gapcheck.Error, match="is not a directory"):
         gapcheck.read_curves(runs / "none")
+
+
+@pytest.fixture(scope="module")
+def bumper(tmp_path_factory):
+    """The directory of a short run of three parts, with matsum as text and in a binout."""
+    folder = tmp_path_factory.mktemp("bumper") / "out"
+    gapcheck.run(DATA / "tutorial/bumper.k", folder, cycles=60, binout=True)
+    return folder
+
+
+ENERGIES = ("internal", "kinetic", "hourglass", "eroded_internal", "eroded_hourglass")
+VECTORS = ("momentum", "velocity")
+
+
+def test_parts_are_those_of_matsum(bumper):
+    parts = gapcheck.read_run(bumper).parts
+    count = (bumper / "matsum").read_text().count(" time =")
+    assert parts.part.tolist() == [1, 2, 3] and parts.title == ("crash box", "front plate", "bumper beam")
+    assert parts.times.shape == (count,) and count > 4 and (numpy.diff(parts.times) > 0).all()
+    assert all(getattr(parts, name).shape == (count, 3) for name in ENERGIES)
+    assert all(getattr(parts, name).shape == (count, 3, 3) for name in VECTORS)
+    # Numbers as they stand in the text: a state's energies and momenta, part after part.
+    state = (bumper / "matsum").read_text().split(" time =")[-1]
+    for label, array in (("inten=", parts.internal), ("kinen=", parts.kinetic), ("hgeng=", parts.hourglass),
+                         ("x-mom=", parts.momentum[..., 0]), ("z-mom=", parts.momentum[..., 2])):
+        assert [float(piece.split()[0]) for piece in state.split(label)[1:]] == array[-1].tolist(), label
+    assert abs(parts.momentum).max() > 0 and parts.internal.max() > 0
+
+
+def test_parts_of_text_and_binout_are_equal(bumper, tmp_path):
+    shutil.copytree(bumper, tmp_path / "out")
+    (tmp_path / "out/matsum").unlink()
+    text, binout = gapcheck.read_run(bumper).parts, gapcheck.read_run(tmp_path / "out").parts
+    assert text.part.tolist() == binout.part.tolist()
+    for name in ("times", *ENERGIES, *VECTORS):
+        first, second = getattr(text, name), getattr(binout, name)
+        # The text has five digits.
+        assert first.shape == second.shape and numpy.allclose(first, second, rtol=5.1e-5, atol=0), name
+    assert (text.internal != binout.internal).any(), "the binout has more digits"
+    for file in (tmp_path / "out").glob("binout*"):
+        file.unlink()
+    assert gapcheck.read_run(tmp_path / "out").parts is None
+
+
+def test_parts_are_views_and_curves(bumper):
+    report = gapcheck.read_run(bumper)
+    parts = report.parts
+    curves = gapcheck.read_curves(bumper)
+    assert curves["matsum part 2 kinetic energy"].values.tolist() == parts.kinetic[:, 1].tolist()
+    assert curves["matsum part 3 y-momentum"].times.tolist() == parts.times.tolist()
+    assert curves["matsum part 1 resultant momentum"].values == pytest.approx(
+        numpy.linalg.norm(parts.momentum[:, 0], axis=1))
+    momentum, kept = parts.momentum, parts.momentum.tolist()
+    assert not momentum.flags.writeable and not momentum.flags.owndata
+    assert momentum.__array_interface__["data"] == report.parts.momentum.__array_interface__["data"]
+    del report, parts
+    assert momentum.tolist() == kept
+
+
+def test_a_damaged_matsum_is_said_and_read_as_far_as_it_goes(bumper, tmp_path):
+    shutil.copytree(bumper, tmp_path / "out")
+    for binout in (tmp_path / "out").glob("binout*"):
+        binout.unlink()
+    matsum = tmp_path / "out/matsum"
+    lines = matsum.read_text().splitlines(keepends=True)
+    bad = next(i for i, line in enumerate(lines) if "kinen=" in line)
+    lines[bad] = lines[bad].replace("kinen=   3", "kinen=   *")
+    matsum.write_text("".join(lines[:-20]))
+    report = gapcheck.read_run(tmp_path / "out")
+    whole = gapcheck.read_run(bumper).parts
+    assert len(report.parts.times) == len(whole.times) - 1 and numpy.isnan(report.parts.kinetic[0, 0])
+    assert report.parts.kinetic[1:].tolist() == whole.kinetic[1:-1].tolist() and not report.complete
+    fault = next(each for each in report.diagnostics if each.severity == "error")
+    assert fault.file == str(matsum) and fault.line == bad + 1 and "cannot be read" in fault.message
 
 
 def test_motion(runs):

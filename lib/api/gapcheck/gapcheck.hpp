@@ -6,6 +6,7 @@
 #include <gapcheck/fix.hpp>
 #include <gapcheck/includes.hpp>
 #include <gapcheck/mesh.hpp>
+#include <gapcheck/part_history.hpp>
 #include <gapcheck/read_motion.hpp>
 #include <gapcheck/read_run.hpp>
 #include <gapcheck/records.hpp>
@@ -13,6 +14,6 @@
 #include <gapcheck/result.hpp>
 #include <gapcheck/run.hpp>
 #include <gapcheck/solver_run.hpp>
-#include <gapcheck/version.hpp>
 #include <gapcheck/start.hpp>
+#include <gapcheck/version.hpp>
 #include <gapcheck/write.hpp>

@@ -28,11 +28,11 @@ struct RunReadOptions {
 };
 
 /// Reads what the solver's message files say about the contacts: one or more of messag, mesNNNN, d3hsp, status.out of
-/// one run, or its directory. Judges the run by glstat, matsum, rcforc and sleout beside the first file; what cannot be
-/// judged is a diagnostic (note). Errors: no path, a path that cannot be opened, a directory without
-/// such files; an option that names no rule, no file or no valid number. With faults inside files there is still a
-/// report, with Report::complete false. A contact that the files do not mention is not an error: it has no records. May
-/// be called from several threads at once.
+/// one run, or its directory. Judges the run by glstat, matsum, rcforc and sleout beside the first file, as text or in
+/// a binout, and gives matsum as arrays; what cannot be judged is a diagnostic (note). Errors: no path, a path that
+/// cannot be opened, a directory without such files; an option that names no rule, no file or no valid number. With
+/// faults inside files there is still a report, with Report::complete false. A contact that the files do not mention is
+/// not an error: it has no records. May be called from several threads at once.
 ///
 ///     const auto run = gapcheck::api::read_run({"out"});
 ///     if (!run) return fail(run.error());
@@ -51,12 +51,13 @@ struct Curve {
 
 /// The curves of a run.
 struct Curves {
-  std::vector<Curve> curves;            ///< in order of the files glstat, rcforc, sleout, nodout
+  std::vector<Curve> curves;            ///< in order of the files: glstat, rcforc, sleout, nodout, …, matsum last
   bool complete = true;                 ///< false: a file could not be read in full
   std::vector<Diagnostic> diagnostics;  ///< errors first, then by file and line
 };
 
-/// Reads the curves of the result files in a run's directory: energies, contact forces and energies, motion of nodes.
+/// Reads the curves of the result files in a run's directory: energies, contact forces and energies, motion of nodes,
+/// energies and momenta of parts.
 /// Missing files have no curves. Errors: the directory does not exist. Memory: 16 bytes per value.
 [[nodiscard]] Result<Curves> read_curves(const std::string& directory);
 

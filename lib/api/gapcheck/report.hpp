@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <gapcheck/mesh.hpp>
+#include <gapcheck/part_history.hpp>
 #include <gapcheck/records.hpp>
 #include <gapcheck/result.hpp>
 #include <gapcheck/solver_run.hpp>
@@ -82,6 +83,7 @@ struct Report {
   std::size_t ignored = 0;  ///< findings that the deck's comments leave out on purpose; they are in nothing above
   std::optional<Timesteps> predicted;  ///< computed from a deck, if a rule asked for them
   std::optional<SolverRun> run;        ///< only if solver files were read
+  std::optional<PartHistory> parts;    ///< over the time of a run whose matsum was read
   std::optional<Mesh> mesh;            ///< of a deck, if AuditOptions::mesh was set
   /// False: the input could not be read in full; the report has what could be read. Then at least one diagnostic is an
   /// error.

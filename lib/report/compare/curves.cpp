@@ -147,6 +147,31 @@ void Curve::add(double time, double value) {
   values.push_back(value);
 }
 
+std::vector<Curve> part_curves(const results::PartHistory& history) {
+  constexpr std::array<std::pair<std::string_view, double results::PartState::*>, 5> energies{
+      {{"internal energy", &results::PartState::internal},
+       {"kinetic energy", &results::PartState::kinetic},
+       {"hourglass energy", &results::PartState::hourglass},
+       {"eroded internal energy", &results::PartState::eroded_internal},
+       {"eroded hourglass energy", &results::PartState::eroded_hourglass}}};
+  std::vector<Curve> list;
+  CurvesById parts(list);
+  for (const results::PartStates& state : history.states)
+    for (const results::PartState& part : state.parts) {
+      const std::string whose = fmt::format("part {}", part.part);
+      const std::size_t first = parts.at(part.part, [&] {
+        for (const auto& [what, value] : energies)
+          list.push_back({"matsum", "energy", fmt::format("matsum {} {}", whose, what), 5, {}, {}, 0});
+        make_vector("matsum", "momentum", whose, list);
+        make_vector("matsum", "velocity", whose, list);
+      });
+      for (std::size_t i = 0; i < energies.size(); ++i) list[first + i].add(state.time, part.*energies[i].second);
+      add_vector(part.momentum, state.time, list, first + energies.size());
+      add_vector(part.velocity, state.time, list, first + energies.size() + 4);
+    }
+  return list;
+}
+
 std::vector<Curve> curves(const results::RunResults& run) {
   std::vector<Curve> list;
   add_global(run.glstat, list);

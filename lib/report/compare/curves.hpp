@@ -27,4 +27,8 @@ struct Curve {
 /// nodes and other entities as they first appear.
 [[nodiscard]] std::vector<Curve> curves(const results::RunResults& run);
 
+/// matsum, per part: internal, kinetic, hourglass and both eroded energies, momentum, velocity as a rigid body. Not
+/// among those of curves(), which are compared: the sums of the parts are in glstat.
+[[nodiscard]] std::vector<Curve> part_curves(const results::PartHistory& history);
+
 }  // namespace gapcheck::report

@@ -47,6 +47,27 @@ TEST(Curves, EveryFileGivesItsOwn) {
   EXPECT_TRUE(curves({}).empty());
 }
 
+TEST(Curves, PartsHaveTheirEnergiesAndMomenta) {
+  results::PartHistory history;
+  for (const double time : {0.0, 1.0}) {
+    results::PartState part;
+    part.part = 4;
+    part.kinetic = 2 + time;
+    part.momentum = {3, 0, 4};
+    part.velocity = {0, time, 0};
+    history.states.push_back({time, {part}});
+  }
+  const std::vector<Curve> list = part_curves(history);
+  EXPECT_EQ(list.size(), 5u + 4u + 4u);
+  ASSERT_NE(named(list, "matsum part 4 kinetic energy"), nullptr);
+  EXPECT_EQ(named(list, "matsum part 4 kinetic energy")->values, (std::vector{2.0, 3.0}));
+  EXPECT_EQ(named(list, "matsum part 4 resultant momentum")->values, (std::vector{5.0, 5.0}));
+  EXPECT_EQ(named(list, "matsum part 4 y-velocity")->values, (std::vector{0.0, 1.0}));
+  results::RunResults run;
+  run.matsum = history;
+  EXPECT_TRUE(curves(run).empty()) << "what is compared";
+}
+
 TEST(Curves, ARestartTakesThePlaceOfWhatItRepeats) {
   Curve curve;
   for (const auto& [time, value] : std::vector<std::pair<double, double>>{{0, 1}, {1, 2}, {2, 3}, {1, 20}, {3, 30}})
