@@ -2,6 +2,8 @@
 // operators inside the module.
 #include "kept_memory.hpp"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -26,13 +28,13 @@ class FreedBlocks {
     for (std::size_t i = 0; i < count_; ++i) std::free(blocks_[i].memory);
     count_ = 0;
   }
-  /// The smallest that is large enough and at most four times as large; null: there is none.
+  /// The smallest that is large enough and at most twice as large; null: there is none.
   [[nodiscard]] void* take(std::size_t size) {
     const std::unique_lock guard(lock_, std::try_to_lock);
     if (!guard.owns_lock()) return nullptr;
     Block* best = nullptr;
     for (std::size_t i = 0; i < count_; ++i)
-      if (blocks_[i].size >= size && blocks_[i].size / 4 <= size && (best == nullptr || blocks_[i].size < best->size))
+      if (blocks_[i].size >= size && blocks_[i].size / 2 <= size && (best == nullptr || blocks_[i].size < best->size))
         best = &blocks_[i];
     if (best == nullptr) return nullptr;
     void* const memory = best->memory;
@@ -40,10 +42,11 @@ class FreedBlocks {
     return memory;
   }
   /// False: it is not kept.
-  [[nodiscard]] bool keep(void* memory, std::size_t size) {
+  [[nodiscard]] bool keep(void* memory) {
     const std::unique_lock guard(lock_, std::try_to_lock);
     if (!guard.owns_lock() || users_ == 0 || count_ == blocks_.size()) return false;
-    blocks_[count_++] = {memory, size};
+    // It may be larger than the last that asked for it knows.
+    blocks_[count_++] = {memory, ::malloc_usable_size(memory)};
     return true;
   }
   [[nodiscard]] bool used() const { return users_ > 0; }
@@ -71,7 +74,7 @@ void* allocate_block(std::size_t size) {
 }
 
 void release_block(void* memory, std::size_t size) noexcept {
-  if (size >= mapped_size && freed.used() && freed.keep(memory, size)) return;
+  if (size >= mapped_size && freed.used() && freed.keep(memory)) return;
   std::free(memory);
 }
 
