@@ -313,14 +313,14 @@ TEST(Ignores, AnywhereInTheDeck) {
 
 TEST(Ignores, HostileComments) {
   std::string many;
-  for (int i = 0; i < 100'000; ++i) many += "$ gapcheck: ignore GC101 node=1-9223372036854775807\n";
+  for (int i = 0; i < 30'000; ++i) many += "$ gapcheck: ignore GC101 node=1-9223372036854775807\n";
   const Report same = plates(many);
   EXPECT_EQ(same.ignored.size(), 18U);
   EXPECT_EQ(of_rule(same, "GC513"), 0U);
   many.clear();
-  for (int i = 0; i < 100'000; ++i)
+  for (int i = 0; i < 30'000; ++i)
     many += fmt::format("$ gapcheck: ignore GC101 node={}-9223372036854775807\n", 3000 + i);
-  EXPECT_EQ(of_rule(plates(many), "GC513"), 100'000U);
+  EXPECT_EQ(of_rule(plates(many), "GC513"), 30'000U);
   const std::string megabyte(1 << 20, '7');
   EXPECT_EQ(of_rule(plates("$ gapcheck: ignore GC101 node=" + megabyte + "\n"), "GC515"), 1U);
   EXPECT_EQ(of_rule(plates("$ gapcheck: " + megabyte + "\n"), "GC515"), 1U);
