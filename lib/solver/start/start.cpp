@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/work_watch.hpp"
 #include "solver/loss/expected_contacts.hpp"
 #include "solver/run.hpp"
 #include "solver/start/start_contacts.hpp"
@@ -56,6 +57,7 @@ class StartReporter {
   }
 
   [[nodiscard]] Start finish() {
+    if (work_stopped()) return std::move(start_);
     contacts_.add_others();
     std::vector<NodeStep> steps = initial_steps(model_, initial_);
     steps.insert(steps.end(), cycle_.begin(), cycle_.end());
@@ -66,7 +68,9 @@ class StartReporter {
     report.pairs = contacts_.pairs();
     report.nodes = contacts_.nodes();
     for (const StartContact& contact : report.contacts) report.energy += contact.energy;
+    if (work_stopped()) return std::move(start_);
     list_elements();
+    if (work_stopped()) return std::move(start_);
     if (report.moved > 0) report.crossings = created_crossings(model_, surfaces_, start_.x, mover_);
     return std::move(start_);
   }
@@ -151,13 +155,14 @@ Start follow_start(const keyword::Deck& deck, const model::Model& model, contact
   }
   StartReporter reporter(model, surfaces, run ? run.value().initial() : *alone);
   reporter.report().refused = std::move(refused);
-  if (run) {
+  if (run && !work_stopped()) {
     FirstCycle observer;
     std::optional<StartMotion> motion;
     if (may_move(model)) motion.emplace(run.value().stepper().state());
     run.value().go(observer);
     reporter.add_run(run.value(), shot);
-    if (motion && run.value().status().ok()) reporter.report().expected = expect_contacts(run.value(), *motion);
+    if (motion && run.value().status().ok() && !work_stopped())
+      reporter.report().expected = expect_contacts(run.value(), *motion);
   }
   return reporter.finish();
 }

@@ -20,7 +20,8 @@ struct Start {
 /// Prepares a run of the deck as `run` does, follows its contacts through the first cycle, and reports what they did to
 /// the geometry of the deck. A deck that `run` refuses is followed as far as possible: without the keywords that are
 /// not calculated, else through the initialisation of its contacts alone; StartReport::refused says why. `surfaces`: of
-/// this model. What the run would warn of goes to `diagnostics`.
+/// this model. Once the work is stopped, it ends somewhere on the way. What the run would warn of goes to
+/// `diagnostics`.
 [[nodiscard]] Start follow_start(const keyword::Deck& deck, const model::Model& model, contact::SurfaceStore& surfaces,
                                  Diagnostics& diagnostics);
 
