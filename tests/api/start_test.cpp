@@ -101,7 +101,9 @@ TEST(ApiStart, MovesLeadFromTheDeckToTheStart) {
     moved += is_moved ? 1 : 0;
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_EQ(all.start[3 * n + k], is_moved ? start.moves.to[3 * i + k] : all.deck[3 * n + k]);
-      if (is_moved) EXPECT_EQ(all.deck[3 * n + k], start.moves.from[3 * i + k]);
+      if (is_moved) {
+        EXPECT_EQ(all.deck[3 * n + k], start.moves.from[3 * i + k]);
+      }
     }
   }
   EXPECT_EQ(moved, 18u);
