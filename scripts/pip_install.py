@@ -5,7 +5,7 @@ Debian's python3-venv, python3-pip, python3-setuptools, python3-wheel, python3-n
 scripts/packages.txt. Prints each command with its seconds, then the version and the number of penetrations.
 
 usage: pip_install.py FOLDER [--python PROGRAM]
-FOLDER is made and must be new. Needs root or user namespaces; half an hour of processor time.
+FOLDER is made and must be new. Needs root or user namespaces; builds the whole library.
 """
 
 import argparse
