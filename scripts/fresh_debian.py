@@ -100,13 +100,16 @@ def unpack(archive, folder):
     shutil.copy("/etc/resolv.conf", tree / "etc/resolv.conf")
     subprocess.run(["git", "clone", "-q", "--bare", ROOT, tree / "srv/gapcheck.git"], check=True)
     subprocess.run(["mount", "-t", "proc", "proc", tree / "proc"], check=True)
-    subprocess.run(["mount", "--bind", "-o", "ro", "/sys", tree / "sys"], check=True)
+    # With the control groups below it, which Slurm wants.
+    subprocess.run(["mount", "--rbind", "--make-rslave", "/sys", tree / "sys"], check=True)
     return tree
 
 
 def unmount(tree):
     for place in ("sys", "proc"):
-        subprocess.run(["umount", tree / place], check=False, stderr=subprocess.DEVNULL)
+        subprocess.run(["umount", "--recursive", tree / place], check=False, stderr=subprocess.DEVNULL)
+        if (tree / place).is_mount():
+            sys.exit(f"{tree / place} is still in use; unmount it before anything is deleted")
 
 
 def run(tree, command, place):

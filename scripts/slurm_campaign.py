@@ -104,17 +104,27 @@ class Slurm:
         self.start("slurmd", "-D")
         for _ in range(60):
             time.sleep(1)
-            if "idle" in self.call("sinfo", "--noheader", "--format=%t", check=False):
-                return self
-        raise SystemExit("the node of Slurm does not become idle; see slurmctld.log and slurmd.log")
+            ended = [daemon.args[0] for daemon in self.daemons if daemon.poll() is not None]
+            if ended or "idle" in self.call("sinfo", "--noheader", "--format=%t", check=False):
+                break
+        else:
+            ended = ["the node"]
+        if not ended:
+            return self
+        self.stop()
+        raise SystemExit(f"{ended[0]} does not run; see slurmctld.log and slurmd.log in {self.folder}")
 
     def start(self, *command):
         self.daemons.append(subprocess.Popen(command, env=self.environment, stdout=subprocess.DEVNULL,
                                              stderr=subprocess.DEVNULL, start_new_session=True))
 
     def __exit__(self, *_):
+        self.stop()
+
+    def stop(self):
         for daemon in reversed(self.daemons):
-            os.killpg(daemon.pid, signal.SIGTERM)
+            if daemon.poll() is None:
+                os.killpg(daemon.pid, signal.SIGTERM)
         for daemon in self.daemons:
             daemon.wait()
 

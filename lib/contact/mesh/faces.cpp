@@ -53,7 +53,9 @@ double volume(const std::array<NodeIndex, 8>& nodes, const std::vector<Vector>& 
   // Divergence theorem about the mean point: pyramids over the faces, each split in two.
   const Vector inside = mean(nodes, x);
   double sum = 0;
-  for (const Face& face : faces_of(nodes, 0, x)) {
+  for (const model::SegmentNodes& corners : model::SolidFaces(nodes)) {
+    Face face{corners, 0};
+    turn_away(face, inside, x);
     const auto& n = face.nodes;
     const Vector a = x[n[0].value] - inside, b = x[n[1].value] - inside, c = x[n[2].value] - inside,
                  d = x[n[3].value] - inside;

@@ -15,6 +15,7 @@
 #include "contact/pair/hidden_faces.hpp"
 #include "contact/pair/nearer_segments.hpp"
 #include "contact/pair/nearest_hits.hpp"
+#include "contact/pair/side_filter.hpp"
 #include "contact/search/nearest_boxes.hpp"
 #include "geometry/batch/pair_batch.hpp"
 #include "geometry/view.hpp"
@@ -53,19 +54,20 @@ bool proven_farther(const geometry::Facet& facet, const Vector& query, double s,
   return least > 0 && least * least > bound * bound * point.squaredNorm();
 }
 
-/// Decides pairs and keeps those that count; one for each thread. Two-sided segments go through batches: for a pair
-/// that is apart, they need to know nothing more.
+/// Decides pairs and keeps the hits that count; one for each thread. Two-sided segments go through batches; of
+/// oriented ones, SideFilter leaves few pairs.
 class PairSweep {
  public:
   PairSweep(const PairScene& scene, const PairFilter& pair_allowed, NearestHits& nearest)
       : scene_(scene), allowed_(pair_allowed), nearest_(nearest) {}
 
   void visit(SegmentIndex segment, std::span<const SlotIndex> slots) {
-    if (scene_.mode == geometry::Mode::exact || scene_.line(segment) || scene_.oriented(segment)) {
+    if (scene_.mode == geometry::Mode::exact || scene_.line(segment)) {
       for (const SlotIndex slot : slots) decide_alone(slot, segment);
       return;
     }
     const geometry::Facet facet = scene_.facet(segment);
+    if (scene_.oriented(segment)) return visit_oriented(segment, facet, slots);
     for (const SlotIndex slot : slots) add(slot, segment, facet);
   }
   /// What still waits in the batches.
@@ -73,19 +75,14 @@ class PairSweep {
     for (Waiting& waiting : waiting_) flush(waiting);
     settle_late();
   }
-  /// Once all sweeps have finished: moves the hits that may count, and the pairs with oriented segments that are not
-  /// hits, to lists that the sweeps share.
-  void move_hits(std::vector<Hit>& hits, std::vector<Hit>& measured) {
+  /// Once all sweeps have finished: moves the hits that may count to a list that the sweeps share.
+  void move_hits(std::vector<Hit>& hits) {
     std::erase_if(hits_, [&](const Hit& hit) { return !nearest_.may_count(hit); });
-    const auto move = [](std::vector<Hit>& from, std::vector<Hit>& to) {
-      if (to.empty())
-        to = std::move(from);
-      else
-        to.insert(to.end(), from.begin(), from.end());
-      from = {};
-    };
-    move(hits_, hits);
-    move(measured_, measured);
+    if (hits.empty())
+      hits = std::move(hits_);
+    else
+      hits.insert(hits.end(), hits_.begin(), hits_.end());
+    hits_ = {};
     late_ = {};
   }
   [[nodiscard]] std::uint64_t decided_by(geometry::Stage stage) const {
@@ -111,6 +108,17 @@ class PairSweep {
 
   void count(geometry::Stage stage, std::size_t times) { stages_[static_cast<std::size_t>(stage)] += times; }
 
+  void visit_oriented(SegmentIndex segment, const geometry::Facet& facet, std::span<const SlotIndex> slots) {
+    const SideFilter filter(scene_, segment, facet);
+    for (const SlotIndex slot : slots) {
+      const Vector query = scene_.position(slot);
+      if (filter.apart(query, penetration_bound(scene_, slot, segment, facet, query)))
+        count(geometry::Stage::filter, 1);
+      else
+        decide_alone(slot, segment);
+    }
+  }
+
   void add(SlotIndex slot, SegmentIndex segment, const geometry::Facet& facet) {
     const Vector query = scene_.position(slot);
     const geometry::Corners corners = geometry::seen_from(facet, query);
@@ -131,7 +139,7 @@ class PairSweep {
       const auto [slot, segment] = waiting.pairs[i];
       if (batch.located(i)) {
         count(geometry::Stage::filter, 1);
-        keep({slot, segment, std::sqrt(batch.squared_distance(i)), true}, true);
+        keep({slot, segment, std::sqrt(batch.squared_distance(i)), true});
       } else if ((batch.closer() >> i & 1) != 0 && !scene_.settings.square_edges) {
         count(geometry::Stage::filter, 1);
         late_.push_back({slot, segment, static_cast<float>(batch.s(i)), static_cast<float>(batch.t(i))});
@@ -146,8 +154,7 @@ class PairSweep {
   void decide_alone(SlotIndex slot, SegmentIndex segment) {
     const PairResult pair = decide_pair(scene_, slot, segment);
     count(pair.stage, 1);
-    if (pair.penetrates || scene_.oriented(segment))
-      keep({slot, segment, pair.distance, pair.in_band}, pair.penetrates);
+    if (pair.penetrates) keep({slot, segment, pair.distance, pair.in_band});
   }
 
   /// Measures the pairs that were put off: by now, most of their nodes have a nearer segment.
@@ -157,24 +164,23 @@ class PairSweep {
       if (proven_farther(scene_.facet(segment), scene_.position(slot), s, t, nearest_.limit(slot))) continue;
       if (!allowed_.tallies && !allowed_(slot, segment, true)) continue;
       const PairResult pair = measure_pair(scene_, slot, segment);
-      keep_allowed({slot, segment, pair.distance, pair.in_band}, true);
+      keep_allowed({slot, segment, pair.distance, pair.in_band});
     }
     late_.clear();
   }
 
-  void keep(const Hit& hit, bool penetrates) {
-    if (!allowed_.tallies && penetrates && !nearest_.may_count(hit)) return;
-    if (allowed_(hit.slot, hit.segment, penetrates)) keep_allowed(hit, penetrates);
+  void keep(const Hit& hit) {
+    if (!allowed_.tallies && !nearest_.may_count(hit)) return;
+    if (allowed_(hit.slot, hit.segment, true)) keep_allowed(hit);
   }
 
-  void keep_allowed(const Hit& hit, bool penetrates) {
-    if (penetrates && !nearest_.add(hit)) return;
-    (penetrates ? hits_ : measured_).push_back(hit);
-    if (hits_.size() + measured_.size() < full_) return;
+  void keep_allowed(const Hit& hit) {
+    if (!nearest_.add(hit)) return;
+    hits_.push_back(hit);
+    if (hits_.size() < full_) return;
     std::erase_if(hits_, [&](const Hit& kept) { return !nearest_.may_count(kept); });
-    if (hits_.size() + measured_.size() > std::max(full_ / 2, scene_.nodes.size()))
-      drop_farther(scene_, hits_, measured_);
-    full_ = std::max(full_, 2 * (hits_.size() + measured_.size()));
+    if (hits_.size() > std::max(full_ / 2, scene_.nodes.size())) drop_farther(scene_, hits_);
+    full_ = std::max(full_, 2 * hits_.size());
   }
 
   const PairScene& scene_;
@@ -182,7 +188,7 @@ class PairSweep {
   NearestHits& nearest_;
   std::array<Waiting, 2> waiting_{Waiting{geometry::PairBatch(false)}, Waiting{geometry::PairBatch(true)}};
   std::vector<Late> late_;
-  std::vector<Hit> hits_, measured_;
+  std::vector<Hit> hits_;
   std::size_t full_ = std::size_t{1} << 18;  ///< pairs held before those that cannot count are dropped
   std::array<std::uint64_t, 4> stages_{};
 };
@@ -334,7 +340,7 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
   double largest_half = 0;
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
   NearestHits nearest(scene);
-  std::vector<Hit> all, measured;
+  std::vector<Hit> all;
   {
     // Each thread has its own tally: shared counters would cost more than the decisions.
     tbb::enumerable_thread_specific<PairSweep> sweeps([&] { return PairSweep(scene, pair_allowed, nearest); });
@@ -347,14 +353,14 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
       for (std::size_t i = begin; i < end; ++i) list[i]->finish();
     });
     for (PairSweep& sweep : sweeps) {
-      sweep.move_hits(all, measured);
+      sweep.move_hits(all);
       using geometry::Stage;
       for (const Stage stage : {Stage::filter, Stage::interval, Stage::exact, Stage::triangulated})
         geometry::count(decisions, stage, sweep.decided_by(stage));
     }
   }
   drop_outside(scene, search, all);
-  add_nearer_segments(scene, pair_allowed, all, measured);
+  std::vector<Hit> measured = nearer_segments(scene, pair_allowed, all);
   return chosen_hits(scene, std::move(all), std::move(measured));
 }
 

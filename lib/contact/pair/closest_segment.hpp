@@ -25,8 +25,8 @@ struct PairFilter {
 };
 
 /// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node (choose_hit),
-/// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or have an oriented segment; and, unless it
-/// tallies them, not for those that cannot be chosen whatever it says.
+/// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or lie nearer to a node than a segment that
+/// it is behind; and, unless it tallies them, not for those that cannot be chosen whatever it says.
 [[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
                                                 const PairFilter& pair_allowed, SweepCounters& counters,
                                                 geometry::DecisionCounters& decisions);

@@ -19,16 +19,17 @@ bool behind_solid(const PairScene& scene, const Hit& hit) {
   return std::signbit(hit.distance) && scene.segments.kind[hit.segment.value] == SegmentKind::solid;
 }
 
-/// Outer faces of the solids in a contact that are not among its segments, with the body that each bounds.
+/// Outer faces of the solids in a contact that meet a box and are not among its segments, with the body that each
+/// bounds.
 class HiddenFaces {
  public:
-  explicit HiddenFaces(const PairScene& scene) : scene_(scene), connected_(scene.x.size()) {
+  HiddenFaces(const PairScene& scene, const Bounds& box) : scene_(scene), box_(box), connected_(scene.x.size()) {
     const model::Mesh& mesh = scene.model.mesh;
     std::vector<bool> parts(scene.model.parts.size(), false);
     std::unordered_set<SegmentKey, SegmentKeyHash> segments;
     for (std::size_t s = 0; s < scene.segments.size(); ++s) {
       if (scene.segments.kind[s] != SegmentKind::solid) continue;
-      segments.insert(segment_key(scene.segments.nodes[s]));
+      if (meets_box(scene.segments.nodes[s])) segments.insert(segment_key(scene.segments.nodes[s]));
       if (const PartIndex part = part_of(mesh, scene.segments, s); part != none<PartIndex>) parts[part.value] = true;
     }
     add(mesh.solids, parts, segments);
@@ -40,20 +41,28 @@ class HiddenFaces {
   [[nodiscard]] std::uint32_t body(NodeIndex node) { return connected_.root(node.value); }
 
  private:
+  [[nodiscard]] bool meets_box(std::span<const NodeIndex> nodes) const {
+    Bounds bounds;
+    for (const NodeIndex n : nodes) bounds.add(scene_.x[n.value]);
+    return bounds.meets(box_);
+  }
+
   void add(const model::Elements<8>& elements, const std::vector<bool>& parts,
            const std::unordered_set<SegmentKey, SegmentKeyHash>& segments) {
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t e = 0; e < elements.size(); ++e) {
       if (elements.part[e] == none<PartIndex> || !parts[elements.part[e].value]) continue;
-      chosen.push_back(e);
+      if (meets_box(elements.nodes[e])) chosen.push_back(e);
       for (const NodeIndex n : elements.nodes[e]) connected_.unite(n.value, elements.nodes[e][0].value);
     }
     if (chosen.empty()) return;
+    // Both elements at a face that meets the box do.
     for (const Face& face : free_faces(elements, chosen, scene_.x))
-      if (!segments.contains(segment_key(face.nodes))) faces_.push_back(face.nodes);
+      if (meets_box(face.nodes) && !segments.contains(segment_key(face.nodes))) faces_.push_back(face.nodes);
   }
 
   const PairScene& scene_;
+  const Bounds box_;
   UnionFind connected_;
   std::vector<model::SegmentNodes> faces_;
 };
@@ -154,6 +163,7 @@ void drop_outside(const PairScene& scene, const CandidateSearch& search, std::ve
   Points points;
   std::vector<std::uint32_t> point_of(scene.nodes.size(), no_position);
   double reach = 0;
+  Bounds box;
   for (const Hit& hit : hits) {
     if (!behind_solid(scene, hit)) continue;
     reach = std::max(reach, -hit.distance);
@@ -161,9 +171,10 @@ void drop_outside(const PairScene& scene, const CandidateSearch& search, std::ve
     point_of[hit.slot.value] = static_cast<std::uint32_t>(points.x.size());
     points.x.push_back(scene.position(hit.slot));
     points.node.push_back(scene.nodes.node[hit.slot.value]);
+    box.add(points.x.back());
   }
   if (points.x.empty()) return;
-  HiddenFaces faces(scene);
+  HiddenFaces faces(scene, grown(box, reach));
   const bool single = scene.type.treatment == Treatment::single_surface;
   const std::vector<Seen> seen = look_around(scene, search, faces, points, reach);
   const auto around = [&](std::uint32_t point) {

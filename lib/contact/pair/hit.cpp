@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace gapcheck::contact {
@@ -58,7 +59,7 @@ std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits,
 
 namespace {
 
-/// A hit, or a pair with an oriented facet, in the order in which drop_farther() looks at them.
+/// A hit in the order in which drop_farther() looks at them.
 struct OrderedHit {
   enum class Kind : std::uint8_t { kept, in_band, outside } kind;
   std::uint32_t body;  ///< none: two-sided, and never the nearest facet of a body
@@ -66,15 +67,15 @@ struct OrderedHit {
 };
 
 /// The hits of one slot in that order.
-void put_in_order(const PairScene& scene, std::span<const Hit> hits, bool penetrate, std::vector<OrderedHit>& list) {
+void put_in_order(const PairScene& scene, std::span<const Hit> hits, std::vector<OrderedHit>& list) {
   list.clear();
   for (const Hit& hit : hits) {
     using Kind = OrderedHit::Kind;
-    const bool always = (penetrate && std::signbit(hit.distance)) || scene.slides(hit.slot, hit.segment, hit.distance);
+    const bool always = std::signbit(hit.distance) || scene.slides(hit.slot, hit.segment, hit.distance);
     const std::uint32_t body = !scene.oriented(hit.segment) ? no_position
                                : scene.solids.empty()       ? 0
                                                             : scene.solids.body[hit.segment.value];
-    list.push_back({always ? Kind::kept : penetrate && hit.in_band ? Kind::in_band : Kind::outside, body, hit});
+    list.push_back({always ? Kind::kept : hit.in_band ? Kind::in_band : Kind::outside, body, hit});
   }
   std::sort(list.begin(), list.end(), [](const OrderedHit& l, const OrderedHit& r) {
     return std::tuple(l.kind, l.body, std::abs(l.hit.distance), l.hit.segment) <
@@ -82,8 +83,8 @@ void put_in_order(const PairScene& scene, std::span<const Hit> hits, bool penetr
   });
 }
 
-/// Those of one slot that may count: of hits (`penetrate`), or of other pairs.
-void keep_nearest(std::span<const OrderedHit> list, bool penetrate, std::vector<Hit>& kept) {
+/// Those of one slot that may count.
+void keep_nearest(std::span<const OrderedHit> list, std::vector<Hit>& kept) {
   using Kind = OrderedHit::Kind;
   SegmentIndex least = none<SegmentIndex>;  // of the nearer ones of one kind and body
   bool any_in_band = false;
@@ -92,7 +93,7 @@ void keep_nearest(std::span<const OrderedHit> list, bool penetrate, std::vector<
     const bool nearest = i == 0 || list[i - 1].kind != kind || list[i - 1].body != body;
     any_in_band = any_in_band || kind == Kind::in_band;
     // Of equally near segments the first counts; hits outside the band count where none is in it.
-    const bool chosen_by_segment = penetrate && (kind == Kind::in_band || !any_in_band);
+    const bool chosen_by_segment = kind == Kind::in_band || !any_in_band;
     const bool of_body = nearest && body != no_position;
     if (nearest || hit.segment < least) {
       least = hit.segment;
@@ -103,8 +104,9 @@ void keep_nearest(std::span<const OrderedHit> list, bool penetrate, std::vector<
   }
 }
 
-/// The same for the hits of all slots.
-std::vector<Hit> nearest_of(const PairScene& scene, const std::vector<Hit>& hits, bool penetrate) {
+}  // namespace
+
+void drop_farther(const PairScene& scene, std::vector<Hit>& hits) {
   // Slot and position as one number sort fast.
   std::vector<std::uint64_t> order(hits.size());
   for (std::size_t i = 0; i < hits.size(); ++i) order[i] = std::uint64_t{hits[i].slot.value} << 32 | i;
@@ -116,17 +118,10 @@ std::vector<Hit> nearest_of(const PairScene& scene, const std::vector<Hit>& hits
     const std::uint64_t slot = order[i] >> 32;
     for (; i < order.size() && order[i] >> 32 == slot; ++i)
       of_slot.push_back(hits[static_cast<std::uint32_t>(order[i])]);
-    put_in_order(scene, of_slot, penetrate, list);
-    keep_nearest(list, penetrate, kept);
+    put_in_order(scene, of_slot, list);
+    keep_nearest(list, kept);
   }
-  return kept;
-}
-
-}  // namespace
-
-void drop_farther(const PairScene& scene, std::vector<Hit>& hits, std::vector<Hit>& measured) {
-  hits = nearest_of(scene, hits, true);
-  measured = nearest_of(scene, measured, false);
+  hits = std::move(kept);
 }
 
 }  // namespace gapcheck::contact

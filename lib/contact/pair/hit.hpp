@@ -27,9 +27,8 @@ inline constexpr double equally_near = 1e-9;
 [[nodiscard]] std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits,
                                             std::span<const Hit> measured);
 
-/// Drops what cannot change the choice of choose_hit() for any node, now or with further pairs: farther hits in front,
-/// and pairs with facets of a body to which the node has a nearer one. Keeps no order. So a node that penetrates
-/// thousands of segments needs memory for a few.
-void drop_farther(const PairScene& scene, std::vector<Hit>& hits, std::vector<Hit>& measured);
+/// Drops hits that cannot change the choice of choose_hit() for any node, now or with further pairs: farther ones in
+/// front. Keeps no order. So a node that penetrates thousands of segments needs memory for a few.
+void drop_farther(const PairScene& scene, std::vector<Hit>& hits);
 
 }  // namespace gapcheck::contact

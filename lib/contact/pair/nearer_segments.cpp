@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
+#include "base/parallel.hpp"
+#include "base/quad.hpp"
 #include "contact/search/box_pairs.hpp"
 
 namespace gapcheck::contact {
@@ -15,22 +18,66 @@ namespace {
 template <class Reach>
 std::vector<Bounds> oriented_boxes(const PairScene& scene, const Reach& reach) {
   std::vector<Bounds> boxes(scene.segments.size());
-  for (const SegmentIndex s : positions<SegmentIndex>(boxes.size())) {
-    if (!scene.oriented(s)) continue;
-    Bounds box;
-    for (const Vector& corner : scene.facet(s).x) box.add(corner);
-    boxes[s.value] = grown(box, reach(s));
-  }
+  parallel_for(boxes.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto s = to_index<SegmentIndex>(i);
+      if (!scene.oriented(s)) continue;
+      Bounds box;
+      for (const Vector& corner : scene.facet(s).x) box.add(corner);
+      boxes[i] = grown(box, reach(s));
+    }
+  });
   return boxes;
+}
+
+/// By slot: its hit with the nearest oriented segment; null: none.
+std::vector<const Hit*> nearest_oriented(const PairScene& scene, const std::vector<Hit>& hits) {
+  std::vector<const Hit*> nearest(scene.nodes.size(), nullptr);
+  for (const Hit& hit : hits) {
+    const Hit*& known = nearest[hit.slot.value];
+    if (scene.oriented(hit.segment) && (known == nullptr || std::abs(hit.distance) < std::abs(known->distance)))
+      known = &hit;
+  }
+  return nearest;
+}
+
+/// By slot: how far it is behind the farthest of its segments that may still be the nearest of its body.
+std::vector<double> deepest_hits(const PairScene& scene, const std::vector<Hit>& hits,
+                                 const std::vector<const Hit*>& nearest) {
+  const auto body = [&](const Hit& hit) { return scene.solids.empty() ? 0 : scene.solids.body[hit.segment.value]; };
+  std::vector<double> deepest(scene.nodes.size(), 0);
+  for (const Hit& hit : hits) {
+    if (!(-hit.distance > deepest[hit.slot.value])) continue;
+    const Hit& near = *nearest[hit.slot.value];
+    // Segments along which the node only slides may not count.
+    const bool another = body(near) == body(hit) && -hit.distance > std::abs(near.distance) * (1 + equally_near) &&
+                         !scene.slides(near.slot, near.segment, near.distance);
+    if (!another) deepest[hit.slot.value] = -hit.distance;
+  }
+  return deepest;
+}
+
+/// True if the plane of a facet's diagonals shows that it is not nearer to a point than a distance.
+bool farther_by_plane(const geometry::Facet& facet, const Vector& query, double distance) {
+  const Vector normal = quad_normal(facet.x);
+  double low = std::numeric_limits<double>::infinity(), high = -low, size = 0;
+  for (const Vector& corner : facet.x) {
+    const Vector from = corner - query;
+    const double height = normal.dot(from);
+    low = std::min(low, height);
+    high = std::max(high, height);
+    size = std::max(size, from.cwiseAbs().maxCoeff());
+  }
+  const double least = std::max(low, -high), needed = distance * (1 + 1e-9) + 1e-12 * size;
+  return least > 0 && least * least > needed * needed * normal.squaredNorm();
 }
 
 }  // namespace
 
-void add_nearer_segments(const PairScene& scene, const PairFilter& allowed, const std::vector<Hit>& hits,
-                         std::vector<Hit>& measured) {
-  // By slot: how far it is behind the farthest of its segments.
-  std::vector<double> deepest(scene.nodes.size(), 0);
-  for (const Hit& hit : hits) deepest[hit.slot.value] = std::max(deepest[hit.slot.value], -hit.distance);
+std::vector<Hit> nearer_segments(const PairScene& scene, const PairFilter& allowed, const std::vector<Hit>& hits) {
+  if (std::none_of(hits.begin(), hits.end(), [](const Hit& hit) { return std::signbit(hit.distance); })) return {};
+  const std::vector<const Hit*> nearest = nearest_oriented(scene, hits);
+  const std::vector<double> deepest = deepest_hits(scene, hits, nearest);
   std::vector<SlotIndex> slots;
   std::vector<Bounds> around;
   for (const SlotIndex slot : positions<SlotIndex>(deepest.size())) {
@@ -40,18 +87,22 @@ void add_nearer_segments(const PairScene& scene, const PairFilter& allowed, cons
     slots.push_back(slot);
     around.push_back(grown(box, deepest[slot.value]));
   }
-  if (slots.empty()) return;
+  if (slots.empty()) return {};
   tbb::enumerable_thread_specific<std::vector<Hit>> found;
   for_each_box_pair(around, oriented_boxes(scene, [](SegmentIndex) { return 0.0; }),
                     [&](std::uint32_t a, std::uint32_t b) {
                       const SlotIndex slot = slots[a];
                       const SegmentIndex segment{b};
                       if (is_corner(scene.segments.nodes[b], scene.nodes.node[slot.value])) return;
+                      if (nearest[slot.value]->segment == segment) return;  // choose_hit() knows it already
+                      if (farther_by_plane(scene.facet(segment), scene.position(slot), deepest[slot.value])) return;
                       const PairResult pair = measure_pair(scene, slot, segment);
                       if (!(std::abs(pair.distance) < deepest[slot.value]) || !allowed(slot, segment, false)) return;
                       found.local().push_back({slot, segment, pair.distance, pair.in_band});
                     });
+  std::vector<Hit> measured;
   for (const std::vector<Hit>& some : found) measured.insert(measured.end(), some.begin(), some.end());
+  return measured;
 }
 
 std::vector<double> nearby_behind(const PairScene& scene) {

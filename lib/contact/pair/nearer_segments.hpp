@@ -5,9 +5,10 @@
 
 namespace gapcheck::contact {
 
-/// Adds to `measured` the oriented segments that are nearer to a node than one that it is behind, however far they look
-/// behind themselves: the search finds only those that look as far as the node. `allowed`: whether a pair counts.
-void add_nearer_segments(const PairScene& scene, const PairFilter& allowed, const std::vector<Hit>& hits,
-                         std::vector<Hit>& measured);
+/// The pairs of nodes that are behind a segment with the oriented segments that are nearer to them, however far these
+/// look behind themselves: the search finds only those that look as far as the node. Pairs that choose_hit() does not
+/// need are left out. `allowed`: whether a pair counts.
+[[nodiscard]] std::vector<Hit> nearer_segments(const PairScene& scene, const PairFilter& allowed,
+                                               const std::vector<Hit>& hits);
 
 }  // namespace gapcheck::contact

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "base/quad.hpp"
 #include "contact/mesh/faces.hpp"
 #include "contact/pair/pair.hpp"
@@ -37,12 +38,14 @@ SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std
   solids.extent.resize(s.size());
   // All shells are one body, as in a surface without solids.
   solids.body.assign(s.size(), static_cast<std::uint32_t>(bodies.size()));
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    if (s.kind[i] != SegmentKind::solid) continue;
-    solids.body[i] = bodies[s.nodes[i][0].value];
-    solids.depth[i] = solid_depth(s, mesh, i, x);
-    solids.extent[i] = reach_behind(s.nodes[i], nodes_of_solid(s, mesh, i), x);
-  }
+  parallel_for(s.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (s.kind[i] != SegmentKind::solid) continue;
+      solids.body[i] = bodies[s.nodes[i][0].value];
+      solids.depth[i] = solid_depth(s, mesh, i, x);
+      solids.extent[i] = reach_behind(s.nodes[i], nodes_of_solid(s, mesh, i), x);
+    }
+  });
   return solids;
 }
 

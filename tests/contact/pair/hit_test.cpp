@@ -43,7 +43,7 @@ TEST(Hit, DroppingFartherOnesDoesNotChangeTheChoice) {
       for (std::uint32_t i = 0; i < segments; ++i) order[i] = i;
       std::shuffle(order.begin(), order.end(), random);
       order.resize(1 + random() % 25);
-      std::vector<Hit> hits, measured, kept, kept_measured;
+      std::vector<Hit> hits, measured, kept;
       for (const std::uint32_t s : order) {
         // Few different distances, so that many are equal, some but for their last digits.
         const double distance =
@@ -53,17 +53,17 @@ TEST(Hit, DroppingFartherOnesDoesNotChangeTheChoice) {
         if (oriented && random() % 2 == 0) hit.distance = -hit.distance;
         const bool penetrates = !oriented || random() % 2 == 0;
         (penetrates ? hits : measured).push_back(hit);
-        (penetrates ? kept : kept_measured).push_back(hit);
-        if (random() % 4 == 0) drop_farther(pairs, kept, kept_measured);
+        if (penetrates) kept.push_back(hit);
+        if (random() % 4 == 0) drop_farther(pairs, kept);
       }
-      drop_farther(pairs, kept, kept_measured);
+      drop_farther(pairs, kept);
       dropped += hits.size() - kept.size();
       if (hits.empty()) {
         EXPECT_TRUE(kept.empty());
         continue;
       }
       ASSERT_FALSE(kept.empty());
-      const auto all = choose_hit(pairs, hits, measured), few = choose_hit(pairs, kept, kept_measured);
+      const auto all = choose_hit(pairs, hits, measured), few = choose_hit(pairs, kept, measured);
       ASSERT_EQ(all.has_value(), few.has_value()) << keyword << " round " << round;
       if (!all) continue;
       ++chosen;
