@@ -13,6 +13,7 @@ PART: python, binout, lsp, pipelines, campaign, site, machines; the first is alw
 import argparse
 import pathlib
 import shutil
+import socket
 import subprocess
 import sys
 import time
@@ -98,6 +99,7 @@ def unpack(archive, folder):
     tree.mkdir()
     subprocess.run(["tar", "-C", tree, "-xf", archive], check=True)
     shutil.copy("/etc/resolv.conf", tree / "etc/resolv.conf")
+    (tree / "etc/hosts").write_text(f"127.0.0.1 localhost {socket.gethostname()}\n")
     subprocess.run(["git", "clone", "-q", "--bare", ROOT, tree / "srv/gapcheck.git"], check=True)
     subprocess.run(["mount", "-t", "proc", "proc", tree / "proc"], check=True)
     # With the control groups below it, which Slurm wants.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/pair/closest_segment.hpp"
+#include "geometry/plane_band.hpp"
 
 namespace gapcheck::contact {
 
@@ -42,8 +43,10 @@ std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch
       [&](SegmentIndex segment, std::span<const SlotIndex> slots) {
         if (!turns(segment)) return;
         const geometry::Facet facet = scene.facet(segment);
+        const geometry::PlaneBand face(facet, 0);
         for (const SlotIndex slot : slots) {
           const Vector query = scene.position(slot);
+          if (face.usable() && face.outside(query)) continue;
           // Where two meshes are alike, all nodes are straight above corners: the border counts.
           const auto closest = geometry::closest_point(facet, query, 0);
           // A node that a tie has moved onto the surface is on neither side of it, whatever rounding says.
