@@ -99,12 +99,13 @@ std::string random_field(std::mt19937& random, const Field& field, std::size_t w
 std::string random_line(std::mt19937& random, const CardLayout& layout, Format format) {
   if (random() % 30 == 0) return "$ a comment, with commas";
   if (random() % 30 == 0) return std::string(random() % 20, ' ');
-  const bool free = random() % 10 == 0;
+  const bool free = random() % 4 == 0;
+  const std::string padding = random() % 2 == 0 ? "" : " ";
   std::string line;
   for (std::size_t i = 0; i < layout.fields.size(); ++i) {
     const Cell cell = locate(layout, format, i);
     if (free)
-      line += (i > 0 ? "," : "") + std::string(trimmed(random_field(random, layout.fields[i], cell.width)));
+      line += (i > 0 ? "," + padding : "") + std::string(trimmed(random_field(random, layout.fields[i], cell.width)));
     else
       line += std::string(cell.column > line.size() ? cell.column - line.size() : 0, ' ') +
               random_field(random, layout.fields[i], cell.width);
