@@ -45,11 +45,14 @@ std::vector<Bounds> part_boxes(const model::Model& model) {
 
 /// The bodies of one part. `connected`: of all nodes, used by part after part.
 void append_bodies(const model::Mesh& mesh, PartIndex part, const std::vector<std::uint32_t>& solids,
-                   UnionFind& connected, std::vector<Body>& bodies) {
+                   UnionFind& connected, std::vector<bool>& listed, std::vector<Body>& bodies) {
   const auto& nodes = mesh.solids.nodes;
   // Parts that share nodes are not one body.
   for (const std::uint32_t e : solids)
-    for (const NodeIndex n : nodes[e]) connected.separate(n.value);
+    for (const NodeIndex n : nodes[e]) {
+      connected.separate(n.value);
+      listed[n.value] = false;
+    }
   for (const std::uint32_t e : solids)
     for (const NodeIndex n : nodes[e]) connected.unite(n.value, nodes[e][0].value);
   std::map<std::uint32_t, std::size_t> body_of_root;
@@ -59,15 +62,13 @@ void append_bodies(const model::Mesh& mesh, PartIndex part, const std::vector<st
     Body& body = bodies[entry->second];
     body.solids.push_back(e);
     for (const NodeIndex n : nodes[e]) {
+      if (listed[n.value]) continue;
+      listed[n.value] = true;
       body.nodes.push_back(n);
       body.box.add(mesh.nodes.x[n.value]);
     }
   }
-  for (const auto& [r, i] : body_of_root) {
-    std::vector<NodeIndex>& list = bodies[i].nodes;
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
+  for (const auto& [r, i] : body_of_root) std::sort(bodies[i].nodes.begin(), bodies[i].nodes.end());
 }
 
 /// Bodies of the parts whose boxes meet another part's.
@@ -81,8 +82,9 @@ std::vector<Body> candidate_bodies(const model::Model& model) {
     if (all.part[e] != none<PartIndex> && meets[all.part[e].value]) solids[all.part[e].value].push_back(e);
   std::vector<Body> bodies;
   UnionFind connected(model.mesh.nodes.size());
+  std::vector<bool> listed(model.mesh.nodes.size(), false);  // nodes of the part at hand that a body has
   for (std::uint32_t p = 0; p < solids.size(); ++p)
-    if (!solids[p].empty()) append_bodies(model.mesh, PartIndex{p}, solids[p], connected, bodies);
+    if (!solids[p].empty()) append_bodies(model.mesh, PartIndex{p}, solids[p], connected, listed, bodies);
   return bodies;
 }
 

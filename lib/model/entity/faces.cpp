@@ -1,6 +1,8 @@
 #include "model/entity/faces.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace gapcheck::model {
 namespace {
@@ -11,6 +13,8 @@ constexpr std::size_t tetrahedron[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 
 
 /// Neighbouring equal nodes become one; a triangle then repeats its last node. False for less than a triangle.
 bool tidy(SegmentNodes& face) {
+  const auto [a, b, c, d] = face;
+  if (a != b && a != c && a != d && b != c && b != d && c != d) return true;
   SegmentNodes kept{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -24,16 +28,34 @@ bool tidy(SegmentNodes& face) {
   return true;
 }
 
-/// The same key for a face in any rotation of its nodes.
-SegmentNodes key(SegmentNodes face) {
-  std::sort(face.begin(), face.end());
-  return face;
+/// The nodes of a face, ascending: the same for any rotation. Repeated nodes of triangles differ between two
+/// neighbours, so the largest one is repeated.
+SegmentNodes face_key(const SegmentNodes& face) {
+  NodeIndex a = face[0], b = face[1], c = face[2], d = face[3] == face[2] ? std::max({a, b, c}) : face[3];
+  const auto order = [](NodeIndex& low, NodeIndex& high) {
+    const NodeIndex less = std::min(low, high);
+    high = std::max(low, high);
+    low = less;
+  };
+  order(a, b);
+  order(c, d);
+  order(a, c);
+  order(b, d);
+  order(b, c);
+  return {a, b, c, d};
 }
 
-/// Repeated nodes of triangles differ between two neighbours, so the key repeats the largest.
-SegmentNodes face_key(const SegmentNodes& face) {
-  if (face[3] != face[2]) return key(face);
-  return key({face[0], face[1], face[2], std::max({face[0], face[1], face[2]})});
+/// A face among those with the same lowest node.
+struct Entry {
+  std::array<NodeIndex, 3> others;  ///< ascending
+  std::uint32_t face;
+};
+
+/// Marks the faces of one bucket that are there twice.
+void mark_shared(std::span<Entry> bucket, std::vector<bool>& shared) {
+  std::sort(bucket.begin(), bucket.end(), [](const Entry& a, const Entry& b) { return a.others < b.others; });
+  for (std::size_t i = 1; i < bucket.size(); ++i)
+    if (bucket[i].others == bucket[i - 1].others) shared[bucket[i].face] = shared[bucket[i - 1].face] = true;
 }
 
 }  // namespace
@@ -57,37 +79,33 @@ bool is_tetrahedron(const std::array<NodeIndex, 8>& nodes) {
 }
 
 std::vector<Face> exterior_faces(const Elements<8>& elements, const std::vector<std::uint32_t>& members) {
-  // Faces in buckets by their lowest node: two elements that share a face meet in one small bucket.
-  struct Entry {
-    SegmentNodes key;
-    std::uint32_t face;
-  };
   std::vector<Face> faces;
+  std::vector<SegmentNodes> keys;
+  faces.reserve(6 * members.size());
+  keys.reserve(6 * members.size());
   std::uint32_t lowest = no_position, highest = 0;
   for (const std::uint32_t member : members) {
     for (const SegmentNodes& nodes : SolidFaces(elements.nodes[member])) {
       faces.push_back({nodes, member});
-      lowest = std::min(lowest, face_key(nodes)[0].value);
-      highest = std::max(highest, face_key(nodes)[0].value);
+      keys.push_back(face_key(nodes));
+      lowest = std::min(lowest, keys.back()[0].value);
+      highest = std::max(highest, keys.back()[0].value);
     }
   }
   if (faces.empty()) return {};
+  // In buckets by their lowest node: two elements that share a face meet in one small bucket.
   std::vector<std::uint32_t> start(std::size_t{highest - lowest} + 2, 0);
-  for (const Face& face : faces) ++start[face_key(face.nodes)[0].value - lowest + 1];
+  for (const SegmentNodes& key : keys) ++start[key[0].value - lowest + 1];
   for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
   std::vector<Entry> entries(faces.size());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    const SegmentNodes k = face_key(faces[f].nodes);
-    entries[next[k[0].value - lowest]++] = {k, f};
+    const SegmentNodes& key = keys[f];
+    entries[next[key[0].value - lowest]++] = {{key[1], key[2], key[3]}, f};
   }
   std::vector<bool> shared(faces.size(), false);
-  for (std::size_t n = 0; n + 1 < start.size(); ++n) {
-    const auto first = entries.begin() + start[n], last = entries.begin() + start[n + 1];
-    std::sort(first, last, [](const Entry& a, const Entry& b) { return a.key < b.key; });
-    for (auto i = first; i != last; ++i)
-      if (i + 1 != last && (i + 1)->key == i->key) shared[i->face] = shared[(i + 1)->face] = true;
-  }
+  for (std::size_t n = 0; n + 1 < start.size(); ++n)
+    mark_shared(std::span(entries).subspan(start[n], start[n + 1] - start[n]), shared);
   std::vector<Face> single;
   for (std::size_t f = 0; f < faces.size(); ++f)
     if (!shared[f]) single.push_back(faces[f]);
