@@ -1,4 +1,4 @@
-// Writes the deck of a scene: gapcheck_make_scene KIND SHELLS FILE. Prints what the deck has.
+// Writes the deck of a scene: gapcheck_make_scene KIND ELEMENTS FILE. Prints what the deck has.
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -9,13 +9,13 @@
 int main(int argc, char** argv) {
   using namespace gapcheck::bench;
   const auto kind = argc == 4 ? scene_kind(argv[1]) : std::nullopt;
-  std::uint64_t shells = 0;
+  std::uint64_t elements = 0;
   if (argc == 4) {
     const std::string_view text = argv[2];
-    std::from_chars(text.data(), text.data() + text.size(), shells);
+    std::from_chars(text.data(), text.data() + text.size(), elements);
   }
-  if (!kind || shells < 1000 || shells > 50'000'000) {
-    std::fputs("usage: gapcheck_make_scene KIND SHELLS FILE   (SHELLS from 1000 to 50000000)\nkinds:", stderr);
+  if (!kind || elements < 1000 || elements > 50'000'000) {
+    std::fputs("usage: gapcheck_make_scene KIND ELEMENTS FILE   (ELEMENTS from 1000 to 50000000)\nkinds:", stderr);
     for (const SceneKind each : all_scenes) std::fprintf(stderr, " %s", name(each).data());
     std::fputs("\n", stderr);
     return 2;
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
   bool good = file != nullptr;
   SceneFacts facts;
   if (good) {
-    facts = write_scene(*kind, shells, [&](std::string_view piece) {
+    facts = write_scene(*kind, elements, [&](std::string_view piece) {
       good = good && std::fwrite(piece.data(), 1, piece.size(), file) == piece.size();
     });
     good = std::fclose(file) == 0 && good;
@@ -33,8 +33,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "cannot write %s\n", argv[3]);
     return 2;
   }
-  std::printf("%llu shells, %llu nodes, from %llu to %llu penetrations\n",
-              static_cast<unsigned long long>(facts.shells), static_cast<unsigned long long>(facts.nodes),
+  std::printf("%llu elements, %llu nodes, from %llu to %llu penetrations\n",
+              static_cast<unsigned long long>(facts.elements), static_cast<unsigned long long>(facts.nodes),
               static_cast<unsigned long long>(facts.fewest_penetrations),
               static_cast<unsigned long long>(facts.most_penetrations));
   return 0;

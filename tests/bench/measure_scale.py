@@ -94,13 +94,13 @@ def main():
         parser.add_argument(name, type=pathlib.Path)
     parser.add_argument("--shells", type=lambda text: [int(n) for n in text.split(",")], default=[10**5, 10**6, 10**7])
     parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--kinds", type=lambda text: text.split(","), default=["plates", "airbag", "vehicle"])
+    parser.add_argument("--kinds", type=lambda text: text.split(","), default=["plates", "airbag", "vehicle", "blocks"])
     arguments = parser.parse_args()
     arguments.gapcheck = arguments.build / "apps/gapcheck/gapcheck"
     arguments.make_scene = arguments.build / "tests/bench/gapcheck_make_scene"
     arguments.work.mkdir(parents=True, exist_ok=True)
     table = [f"{machine()}; medians of {arguments.runs} runs after one whose findings are checked, {os.cpu_count()} threads.", "",
-             "| scene | shells | deck | time | memory beyond the deck | time per shell | bytes per shell | exponent of time |",
+             "| scene | elements | deck | time | memory beyond the deck | time per element | bytes per element | exponent of time |",
              "|---|---|---|---|---|---|---|---|"]
     for kind in arguments.kinds:
         table += scene_rows(arguments, kind)

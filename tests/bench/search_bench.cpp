@@ -160,7 +160,7 @@ bool measure(SceneKind kind, std::uint64_t shells, std::size_t rounds, std::size
     }
     ratios.push_back(times.back().back() / best);
   }
-  fmt::print("{};{};{};{}", name(kind), facts.shells, inputs.size(), expected.pairs);
+  fmt::print("{};{};{};{}", name(kind), facts.elements, inputs.size(), expected.pairs);
   for (const auto& list : times) fmt::print(";{:.6f}", median(list));
   fmt::print(";{};{:.2f}\n", chosen, median(ratios));
   std::fflush(stdout);

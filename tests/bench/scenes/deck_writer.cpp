@@ -68,6 +68,14 @@ void DeckWriter::shell(int part, const std::array<int, 4>& nodes) {
   row_done();
 }
 
+void DeckWriter::brick(int part, const std::array<int, 8>& nodes) {
+  open(Block::bricks, "*ELEMENT_SOLID\n");
+  append_integer(text_, static_cast<std::uint64_t>(++bricks_), 8);
+  append_integer(text_, static_cast<std::uint64_t>(part), 8);
+  for (const int node : nodes) append_integer(text_, static_cast<std::uint64_t>(node), 8);
+  row_done();
+}
+
 void DeckWriter::flush() {
   if (!text_.empty()) sink_(text_);
   text_.clear();

@@ -12,8 +12,8 @@ namespace gapcheck::bench {
 /// Takes the next piece of a deck; the text dies with the call.
 using DeckSink = std::function<void(std::string_view)>;
 
-/// Writes nodes and shells in standard format, fast and without ever holding the whole deck. Ids count from 1; at most
-/// 99,999,999 of a kind. Coordinates are written with as many decimals, up to six, as fit sixteen columns.
+/// Writes nodes, shells and bricks in standard format, fast and without ever holding the whole deck. Ids count from 1;
+/// at most 99,999,999 of a kind. Coordinates are written with as many decimals, up to six, as fit sixteen columns.
 class DeckWriter {
  public:
   explicit DeckWriter(DeckSink sink) : sink_(std::move(sink)) { text_.reserve(piece + 256); }
@@ -28,6 +28,7 @@ class DeckWriter {
   /// Returns the id of the node.
   int node(const Vector& at);
   void shell(int part, const std::array<int, 4>& nodes);
+  void brick(int part, const std::array<int, 8>& nodes);
   /// n × m shells over (n + 1) × (m + 1) nodes, node (i, j) at place(i, j).
   template <class Place>
   void sheet(int part, int n, int m, const Place& place) {
@@ -40,22 +41,37 @@ class DeckWriter {
         shell(part, {a, a + 1, a + n + 2, a + n + 1});
       }
   }
+  /// n × m × l bricks between (n + 1) × (m + 1) × (l + 1) nodes, node (i, j, k) at place(i, j, k).
+  template <class Place>
+  void block(int part, int n, int m, int l, const Place& place) {
+    const int first = nodes_ + 1, row = n + 1, layer = row * (m + 1);
+    for (int k = 0; k <= l; ++k)
+      for (int j = 0; j <= m; ++j)
+        for (int i = 0; i <= n; ++i) node(place(i, j, k));
+    for (int k = 0; k < l; ++k)
+      for (int j = 0; j < m; ++j)
+        for (int i = 0; i < n; ++i) {
+          const int a = first + k * layer + j * row + i, b = a + layer;
+          brick(part, {a, a + 1, a + row + 1, a + row, b, b + 1, b + row + 1, b + row});
+        }
+  }
   void flush();
 
   [[nodiscard]] int nodes() const { return nodes_; }
   [[nodiscard]] int shells() const { return shells_; }
+  [[nodiscard]] int bricks() const { return bricks_; }
   [[nodiscard]] int parts() const { return parts_; }
 
  private:
   static constexpr std::size_t piece = std::size_t{1} << 20;
-  enum class Block { none, nodes, shells };
+  enum class Block { none, nodes, shells, bricks };
   void open(Block block, std::string_view keyword);
   void row_done();
 
   DeckSink sink_;
   std::string text_;
   Block block_ = Block::none;
-  int nodes_ = 0, shells_ = 0, parts_ = 0;
+  int nodes_ = 0, shells_ = 0, bricks_ = 0, parts_ = 0;
 };
 
 }  // namespace gapcheck::bench

@@ -13,8 +13,8 @@
 namespace gapcheck::bench {
 namespace {
 
-constexpr std::array<std::string_view, all_scenes.size()> names{"plates", "airbag",     "vehicle",
-                                                                "tubes",  "huge-facet", "cluster"};
+constexpr std::array<std::string_view, all_scenes.size()> names{"plates",     "airbag",  "vehicle", "tubes",
+                                                                "huge-facet", "cluster", "blocks"};
 
 constexpr std::string_view single_surface = R"(*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID
          1all parts
@@ -38,7 +38,8 @@ std::string head(std::initializer_list<double> thicknesses) {
 int root(double number) { return std::max(1, static_cast<int>(std::lround(std::sqrt(number)))); }
 
 SceneFacts facts(const DeckWriter& deck, std::uint64_t fewest, std::uint64_t most) {
-  return {static_cast<std::uint64_t>(deck.nodes()), static_cast<std::uint64_t>(deck.shells()), fewest, most};
+  return {static_cast<std::uint64_t>(deck.nodes()), static_cast<std::uint64_t>(deck.shells() + deck.bricks()), fewest,
+          most};
 }
 
 std::uint64_t square(int n) { return static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n); }
@@ -139,6 +140,24 @@ SceneFacts write_cluster(std::uint64_t shells, const DeckSink& sink) {
   return facts(deck, 2 * square(n), 2 * square(n));
 }
 
+/// The upper block is 0.3 and 0.4 of an element aside and 0.06 of one too low: n² nodes of either are in the other.
+SceneFacts write_blocks(std::uint64_t bricks, const DeckSink& sink) {
+  constexpr double size = 5, sunk = 0.3;
+  const int n = std::max(2, static_cast<int>(std::lround(std::cbrt(static_cast<double>(bricks))))), layers = n / 2;
+  DeckWriter deck(sink);
+  deck.text(
+      "*KEYWORD\n*CONTROL_TERMINATION\n     0.001\n*MAT_ELASTIC\n"
+      "         1  7.85E-09  210000.0       0.3\n*SECTION_SOLID\n         1         1\n");
+  deck.text(single_surface);
+  const int lower = deck.part(1), upper = deck.part(1);
+  deck.block(lower, n, n, layers, [&](int i, int j, int k) { return Vector(size * i, size * j, size * k); });
+  deck.block(upper, n, n, layers, [&](int i, int j, int k) {
+    return Vector(size * (i + 0.3), size * (j + 0.4), size * (layers + k) - sunk);
+  });
+  deck.text("*END\n");
+  return facts(deck, 2 * square(n), 2 * square(n));
+}
+
 }  // namespace
 
 std::string_view name(SceneKind kind) { return names[static_cast<std::size_t>(kind)]; }
@@ -165,20 +184,22 @@ std::string plates_deck(int n, bool stray) {
   return text;
 }
 
-SceneFacts write_scene(SceneKind kind, std::uint64_t shells, const DeckSink& sink) {
+SceneFacts write_scene(SceneKind kind, std::uint64_t elements, const DeckSink& sink) {
   switch (kind) {
     case SceneKind::plates:
-      return write_plates(root(static_cast<double>(shells) / 2), false, sink);
+      return write_plates(root(static_cast<double>(elements) / 2), false, sink);
     case SceneKind::airbag:
-      return write_airbag(shells, sink);
+      return write_airbag(elements, sink);
     case SceneKind::vehicle:
-      return write_vehicle(shells, sink);
+      return write_vehicle(elements, sink);
     case SceneKind::tubes:
-      return write_tubes(shells, sink);
+      return write_tubes(elements, sink);
     case SceneKind::huge_facet:
-      return write_huge_facet(shells, sink);
+      return write_huge_facet(elements, sink);
     case SceneKind::cluster:
-      return write_cluster(shells, sink);
+      return write_cluster(elements, sink);
+    case SceneKind::blocks:
+      return write_blocks(elements, sink);
   }
   return {};
 }

@@ -123,7 +123,7 @@ SceneFacts write_vehicle(std::uint64_t shells, const DeckSink& sink) {
   }
   deck.text("*END\n");
   facts.nodes = static_cast<std::uint64_t>(deck.nodes());
-  facts.shells = static_cast<std::uint64_t>(deck.shells());
+  facts.elements = static_cast<std::uint64_t>(deck.shells());
   return facts;
 }
 

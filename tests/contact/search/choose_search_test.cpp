@@ -46,7 +46,7 @@ TEST(ChooseSearch, AllSearchesFindTheSameOnAllScenesAndAsMuchAsIsInThem) {
     ASSERT_TRUE(model);
     EXPECT_FALSE(diagnostics.has_errors());
     EXPECT_EQ(model.value().mesh.nodes.size(), facts.nodes);
-    EXPECT_EQ(model.value().mesh.shells.size(), facts.shells);
+    EXPECT_EQ(model.value().mesh.shells.size() + model.value().mesh.solids.size(), facts.elements);
     const auto run = [&](std::optional<SearchKind> search, SearchTally& tally) {
       InitialOptions options;
       options.search = search;
