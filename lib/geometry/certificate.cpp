@@ -39,11 +39,13 @@ double largest_drop(const Patch& patch, double s, double t, const Vector& w, dou
 }
 
 bool Certificate::separated_by(const Corners& e, const Vector& direction) const {
-  const double length = direction.norm();
-  if (!(length >= 1e-150)) return false;
-  const double reach = length * (bound_ * (1 + 64 * roundoff) + slack_);
-  return direction.dot(e[0]) >= reach && direction.dot(e[1]) >= reach && direction.dot(e[2]) >= reach &&
-         direction.dot(e[3]) >= reach;
+  const double squared_length = direction.squaredNorm();
+  // Then no square below vanishes.
+  if (!(squared_length >= 1e-150)) return false;
+  const double least =
+      std::min(std::min(direction.dot(e[0]), direction.dot(e[1])), std::min(direction.dot(e[2]), direction.dot(e[3])));
+  const double reach = bound_ * (1 + 64 * roundoff) + slack_;
+  return least >= 0 && least * least >= squared_length * (reach * reach);
 }
 
 bool Certificate::separated_by_mean_plane(const Corners& e) const {

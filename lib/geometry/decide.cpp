@@ -87,8 +87,23 @@ struct Filtered {
   Trial trial;
 };
 
+/// The projection of a flat parallelogram, held inside: cheap, and near enough for most proofs.
+Trial affine_trial(const Patch& p) {
+  const double aa = p.a.squaredNorm(), ab = p.a.dot(p.b), bb = p.b.squaredNorm(), ma = p.m.dot(p.a), mb = p.m.dot(p.b);
+  const double unit = 1 / (aa * bb - ab * ab);
+  return {std::clamp((ab * mb - bb * ma) * unit, -1.0, 1.0), std::clamp((ab * ma - aa * mb) * unit, -1.0, 1.0)};
+}
+
+/// What a point of the quad proves by itself (as Certificate::at() does); the plane through it may prove more.
+bool point_is_closer(const Patch& p, const Trial& at, double size, double bound) {
+  const double inside = bound - 64 * roundoff * size;
+  const Vector w = (p.m + at.t * p.b) + at.s * (p.a + at.t * p.c);
+  return inside > 0 && w.squaredNorm() < inside * inside;
+}
+
 /// `near`: the pair is probably closer, so a proof of the contrary is not worth trying.
-Filtered filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint, bool near) {
+Filtered filter(const Certificate& certificate, const Corners& e, double bound, bool triangle, const ClosestPoint* hint,
+                bool near) {
   if (!near && certificate.separated_by_mean_plane(e)) return {Verdict::apart, {}};
   const auto at = [&](double s, double t) { return Filtered{certificate.at(e, s, t, triangle), {s, t}}; };
   if (hint != nullptr && std::abs(hint->s) <= 1 && std::abs(hint->t) <= 1) return at(hint->s, hint->t);
@@ -97,6 +112,8 @@ Filtered filter(const Certificate& certificate, const Corners& e, bool triangle,
     return at(nearest.s, nearest.t);
   }
   const Patch patch(e);
+  if (const Trial trial = affine_trial(patch); point_is_closer(patch, trial, certificate.size(), bound))
+    return {Verdict::closer, trial};
   const Location quick = locate_on_patch(e, patch, true);
   const Filtered first = at(quick.s, quick.t);
   if (first.verdict != Verdict::open) return first;
@@ -192,7 +209,7 @@ Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode
     const double size = size_of(e);
     if (usable(size)) {
       const Certificate certificate(size, bound);
-      const Filtered first = filter(certificate, e, facet.triangle, hint, near);
+      const Filtered first = filter(certificate, e, bound, facet.triangle, hint, near);
       if (settled(first.verdict)) return {first.verdict == Verdict::closer, Stage::filter};
       if (const Verdict second = prove_further(size, facet, query, bound, first); settled(second))
         return {second == Verdict::closer, Stage::interval};

@@ -182,6 +182,17 @@ class Browser:
             clip = {"clip": dict(zip(("x", "y", "width", "height"), box), scale=scale), "captureBeyondViewport": True}
         return base64.b64decode(self.call("Page.captureScreenshot", format="png", **clip)["data"])
 
+    def steady_picture(self, selector):
+        """The same once it does not change any more: on a busy machine a frame may be drawn late."""
+        last = self.picture(selector)
+        for _ in range(40):
+            self.settle()
+            now = self.picture(selector)
+            if now == last:
+                break
+            last = now
+        return last
+
 
 def colors(png):
     """How often each colour occurs in a PNG file of 8 bits per channel (ISO 15948), as a dictionary."""

@@ -220,8 +220,7 @@ def check_moves(browser):
     pictures = []
     for choice in ("0", "10", "0"):
         change(browser, "Nodes", choice)
-        browser.settle()
-        pictures.append(browser.picture("#canvas"))
+        pictures.append(browser.steady_picture("#canvas"))
     check(pictures[1] != pictures[0], "after the moves the picture is another one")
     check(pictures[2] == pictures[0], "and before them it is the first one again")
 

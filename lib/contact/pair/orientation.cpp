@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/pair/closest_segment.hpp"
-#include "geometry/plane_band.hpp"
+#include "geometry/batch/plane_band.hpp"
 
 namespace gapcheck::contact {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "contact/pair/pair.hpp"
-#include "geometry/plane_band.hpp"
+#include "geometry/batch/plane_band.hpp"
 
 namespace gapcheck::contact {
 

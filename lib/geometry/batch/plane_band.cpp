@@ -1,4 +1,4 @@
-#include "geometry/plane_band.hpp"
+#include "geometry/batch/plane_band.hpp"
 
 #include <algorithm>
 #include <cmath>
