@@ -33,6 +33,7 @@ COMMANDS = [
     "./run fix data/two_plates.k -o fixed",
     "./run audit fixed/two_plates.k",
 ]
+HOME = "/root"  # in the new system
 CLONE = COMMANDS[:4]
 INSTALL = "apt-get install -y --no-install-recommends "
 LISTED = INSTALL + "$(cat {} | grep -v '#')"
@@ -43,9 +44,9 @@ MORE = {
     "python": [
         LISTED.format("scripts/packages.txt") + " pybind11-dev python3-dev python3-numpy python3-pandas python3-pip "
         "python3-setuptools python3-venv python3-wheel",
-        "python3 -m venv --system-site-packages /root/environment",
-        "/root/environment/bin/pip install --no-build-isolation --no-index .",
-        f"/root/environment/bin/python -c {AUDIT}",
+        "python3 -m venv --system-site-packages ../environment",
+        "../environment/bin/pip install --no-build-isolation --no-index .",
+        f"../environment/bin/python -c {AUDIT}",
         f"ninja -C {BUILD} gapcheck check-c",
     ],
     "binout": [f"python3 -B tests/apps/check_binout.py {GAPCHECK} ."],
@@ -64,7 +65,7 @@ MORE = {
     ],
     "campaign": [
         INSTALL + "munge procps slurm-wlm",
-        f"python3 -B scripts/slurm_campaign.py {GAPCHECK} /root/campaign",
+        f"python3 -B scripts/slurm_campaign.py {GAPCHECK} ../campaign",
     ],
     "site": [
         LISTED.format("scripts/site/packages.txt"),
@@ -116,7 +117,7 @@ def unmount(tree):
 
 def run(tree, command, place):
     """One command: its last line of output, exit code, seconds. All that it prints is added to the log beside the tree."""
-    environment = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root",
+    environment = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "HOME": HOME,
                    "LANG": "C.UTF-8", "DEBIAN_FRONTEND": "noninteractive"}
     start = time.perf_counter()
     process = subprocess.run(["chroot", tree, "/bin/bash", "-c", f"cd {place} && {command}"], env=environment,
@@ -143,7 +144,7 @@ def spoken(seconds):
 
 def try_readme(tree):
     """The rows of the table in docs/getting-started.md."""
-    rows, place = [], "/root"
+    rows, place = [], HOME
     for command in COMMANDS:
         if command.startswith("cd "):
             place += "/" + command[3:]
@@ -165,11 +166,11 @@ def try_readme(tree):
 def try_more(tree, parts):
     """Whether each of the parts works; one that fails ends there, and the next one begins."""
     for command in CLONE[:-1]:
-        must_run(tree, command, "/root")
+        must_run(tree, command, HOME)
     good = True
     for part in parts:
         print(f"-- {part}", flush=True)
-        works = all(run(tree, command, "/root/gapcheck")[1] == 0 for command in MORE[part])
+        works = all(run(tree, command, HOME + "/gapcheck")[1] == 0 for command in MORE[part])
         print(f"-- {part}: {'works' if works else 'FAILED'}", flush=True)
         if part == "python" and not works:
             return False
