@@ -13,6 +13,7 @@
 #include "arguments.hpp"
 #include "base/file_writer.hpp"
 #include "base/parallel.hpp"
+#include "base/system/memory.hpp"
 #include "common/failures.hpp"
 #include "common/file_guard.hpp"
 #include "common/mesh.hpp"
@@ -160,6 +161,7 @@ int run(const std::vector<std::string>& words) {
   }
   if (arguments.value().help) return show(usage());
   if (arguments.value().version) return show(app::version_line("check-c") + "\n");
+  system::keep_freed_memory();
   return check(arguments.value());
 }
 

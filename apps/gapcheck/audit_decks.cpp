@@ -10,7 +10,6 @@
 
 #include "audit/registry.hpp"
 #include "base/parallel.hpp"
-#include "base/system/memory.hpp"
 #include "campaign/deck_key.hpp"
 #include "campaign/deck_results.hpp"
 #include "campaign/results_file.hpp"
@@ -341,7 +340,6 @@ bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
 }
 
 int audit_decks(AuditArguments arguments) {
-  system::keep_freed_memory();
   keyword::FileCache cache;
   arguments.audit.read.cache = &cache;
   DeckFiles files(arguments.audit.read);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/system/memory.hpp"
 #include "command_line.hpp"
 #include "common/signals.hpp"
 #include "output.hpp"
@@ -48,6 +49,8 @@ int run(int argc, char** argv) {
     print(plain_error(what_is_wrong(app, error)));
     return failed;
   }
+  // The editor's server lives for hours and gives back what it does not need.
+  if (!app.got_subcommand("lsp")) system::keep_freed_memory();
   return action ? action() : failed;
 }
 

@@ -3,6 +3,7 @@
 #include "kept_memory.hpp"
 
 #include <malloc.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,8 @@ namespace {
 
 /// From this size on the C library maps blocks one by one.
 constexpr std::size_t mapped_size = std::size_t{1} << 17;
+/// From this size on blocks are in large pages where the system gives them.
+constexpr std::size_t large_size = std::size_t{4} << 20, large_page = std::size_t{2} << 20;
 
 class FreedBlocks {
  public:
@@ -65,10 +68,17 @@ class FreedBlocks {
 
 constinit FreedBlocks freed;
 
+void* aligned_block(std::size_t size) {
+  void* memory = nullptr;
+  if (::posix_memalign(&memory, large_page, size) != 0) return nullptr;
+  ::madvise(memory, size, MADV_HUGEPAGE);
+  return memory;
+}
+
 void* allocate_block(std::size_t size) {
   if (size >= mapped_size && freed.used())
     if (void* const kept = freed.take(size); kept != nullptr) return kept;
-  void* const memory = std::malloc(std::max<std::size_t>(size, 1));
+  void* const memory = size >= large_size ? aligned_block(size) : std::malloc(std::max<std::size_t>(size, 1));
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }

@@ -3,7 +3,7 @@
 docs/benchmarks.md.
 
 usage: measure.py BUILD_FOLDER WORK_FOLDER DOC [--runs N] [--sizes 100,300,700] [--messag BLOCKS]
-                  [--only timings,rules,stages,messag,solver] [--plates 100]
+                  [--only timings,rules,pages,stages,messag,solver] [--plates 100]
 """
 
 import argparse
@@ -47,6 +47,27 @@ def rules(arguments):
         for command in (alone, everything):
             run_once(command)  # warms the file cache
         pairs = [(run_once(alone)[0], run_once(everything)[0]) for _ in range(arguments.runs)]
+        rows.append(f"| {2 * n * n:,} | {jobs} | {statistics.median(a for a, _ in pairs):.3f} s "
+                    f"| {statistics.median(b for _, b in pairs):.3f} s "
+                    f"| {statistics.median(b / a for a, b in pairs):.2f} |")
+        print(rows[-1], flush=True)
+    deck.unlink()
+    return rows
+
+
+def pages(arguments):
+    """Large and small pages, on the largest deck, in pairs of runs that follow each other."""
+    n = max(arguments.sizes)
+    deck = arguments.work / f"plates_{n}.k"
+    subprocess.run([arguments.make_plates, str(n), deck], check=True)
+    rows = ["| shells | threads | small pages, median | large pages, median | ratio, median of pairs |", "|---|---|---|---|---|"]
+    for jobs in (1, os.cpu_count()):
+        large = [str(arguments.gapcheck), "audit", "--fail-on", "never", "--jobs", str(jobs), str(deck)]
+        # A process with a limit of its addresses, however high, does not ask for large pages.
+        small = ["prlimit", f"--as={2**45}", *large]
+        for command in (small, large):
+            run_once(command)  # warms the file cache
+        pairs = [(run_once(small)[0], run_once(large)[0]) for _ in range(arguments.runs)]
         rows.append(f"| {2 * n * n:,} | {jobs} | {statistics.median(a for a, _ in pairs):.3f} s "
                     f"| {statistics.median(b for _, b in pairs):.3f} s "
                     f"| {statistics.median(b / a for a, b in pairs):.2f} |")
@@ -146,7 +167,7 @@ def main():
     parser.add_argument("--sizes", type=lambda text: [int(n) for n in text.split(",")], default=[100, 300, 700])
     parser.add_argument("--messag", type=int, default=1000000, help="blocks in the messag")
     parser.add_argument("--plates", type=int, default=100, help="shells along an edge of the solver's plates")
-    parser.add_argument("--only", type=lambda text: text.split(","), default=["timings", "rules", "stages", "messag", "solver"],
+    parser.add_argument("--only", type=lambda text: text.split(","), default=["timings", "rules", "pages", "stages", "messag", "solver"],
                         help="tables to measure")
     arguments = parser.parse_args()
     arguments.gapcheck = arguments.build / "apps/gapcheck/gapcheck"
@@ -159,6 +180,7 @@ def main():
     text = arguments.doc.read_text(encoding="utf-8")
     caption = machine() + f"; {arguments.runs} runs each after one to warm the file cache."
     tables = {"timings": lambda: [caption, "", *table(arguments)], "rules": lambda: rules(arguments),
+              "pages": lambda: pages(arguments),
               "stages": lambda: stages(arguments), "messag": lambda: messag(arguments),
               "solver": lambda: [machine() + f"; medians of {arguments.runs} runs, the cases in turn.", "",
                                  *solver(arguments), "", bricks(arguments, 30, 100)]}

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/system/memory.hpp"
 #include "contact/pair/closest_segment.hpp"
 #include "contact/pair/side_scene.hpp"
 #include "contact/search/choose_search.hpp"
@@ -186,6 +187,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (kinds.empty()) kinds.assign(all_scenes.begin(), all_scenes.end());
+  gapcheck::system::keep_freed_memory();  // as the program does
   const gapcheck::JobLimit limit(static_cast<std::size_t>(jobs));
   for (const SceneKind kind : kinds)
     if (!measure(kind, static_cast<std::uint64_t>(shells), static_cast<std::size_t>(rounds),

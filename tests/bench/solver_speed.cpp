@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "base/system/memory.hpp"
 #include "keyword/deck.hpp"
 #include "solver/build/build.hpp"
 #include "solver/contact/contact_forces.hpp"
@@ -142,6 +143,7 @@ int main(int argc, char** argv) {
   }
   const int n = std::atoi(argv[1]), cycles = std::atoi(argv[2]), jobs = argc > 3 ? std::atoi(argv[3]) : 0;
   const int far = argc > 4 ? std::atoi(argv[4]) : 0;
+  gapcheck::system::keep_freed_memory();  // as the program does
   const gapcheck::JobLimit limit(static_cast<std::size_t>(jobs));
   if (bricks) {
     const Speed r = run(block(n), n, cycles, false);

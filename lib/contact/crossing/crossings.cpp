@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_array.hpp"
 #include "base/parallel.hpp"
 #include "base/union_find.hpp"
 #include "contact/crossing/cross_around.hpp"
@@ -44,7 +45,7 @@ struct Side {
         x(options.x != nullptr ? *options.x : model.mesh.nodes.x),
         mesh(model.mesh),
         fraction(options.tolerance),
-        boxes(s.size()) {
+        boxes(large_array<Bounds>(s.size())) {
     parallel_for(s.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         if ((s.kind[i] == SegmentKind::line && !lines) || !pairs.takes_part(part_of(mesh, s, i))) continue;

@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "base/large_array.hpp"
 #include "base/parallel.hpp"
 #include "contact/pair/hidden_faces.hpp"
 #include "contact/pair/nearer_segments.hpp"
@@ -27,7 +28,7 @@ namespace {
 struct BySlot {
   std::vector<std::uint32_t> start;
   std::vector<Hit> hits;
-  BySlot(const std::vector<Hit>& all, std::size_t slots) : start(slots + 2, 0), hits(all.size()) {
+  BySlot(const std::vector<Hit>& all, std::size_t slots) : start(slots + 2, 0), hits(large_array<Hit>(all.size())) {
     // Counts two entries ahead, so that filling leaves every start correct.
     for (const Hit& hit : all) ++start[hit.slot.value + 2];
     for (std::size_t i = 0; i < slots; ++i) start[i + 2] += start[i + 1];
@@ -248,8 +249,8 @@ Placed nodes_inside(const PairScene& scene, const Bounds& box) {
   });
   for (std::size_t b = 0; b < blocks; ++b) first[b + 1] += first[b];
   Placed placed;
-  placed.points.resize(first.back());
-  placed.slots.resize(first.back());
+  resize_in_parallel(placed.points, first.back());
+  resize_in_parallel(placed.slots, first.back());
   std::mutex mutex;
   parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
     Bounds here;
@@ -274,7 +275,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
                         const std::function<void(SegmentIndex, std::span<const SlotIndex>)>& visit) {
   const Segments& s = scene.segments;
   ++counters.searches;
-  std::vector<Bounds> boxes(s.size());
+  std::vector<Bounds> boxes = large_array<Bounds>(s.size());
   const auto core = [&](std::size_t i) {
     Bounds box;
     for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);

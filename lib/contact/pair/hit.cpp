@@ -8,16 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "contact/pair/nearer_segments.hpp"
+
 namespace gapcheck::contact {
 namespace {
 
 /// True if the hit lies behind a facet that is not the nearest of its body.
 bool behind_another(const PairScene& scene, const Hit& hit, std::span<const Hit> hits, std::span<const Hit> measured) {
   if (!std::signbit(hit.distance)) return false;
-  const auto body = [&](const Hit& of) { return scene.solids.empty() ? 0 : scene.solids.body[of.segment.value]; };
-  const auto nearer = [&](const Hit& other) {
-    return body(other) == body(hit) && std::abs(hit.distance) > std::abs(other.distance) * (1 + equally_near);
-  };
+  const auto nearer = [&](const Hit& other) { return nearer_of_body(scene, hit, other); };
   return std::any_of(measured.begin(), measured.end(), nearer) ||
          std::any_of(hits.begin(), hits.end(), [&](const Hit& h) { return scene.oriented(h.segment) && nearer(h); });
 }

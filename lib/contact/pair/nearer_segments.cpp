@@ -44,14 +44,12 @@ std::vector<const Hit*> nearest_oriented(const PairScene& scene, const std::vect
 /// By slot: how far it is behind the farthest of its segments that may still be the nearest of its body.
 std::vector<double> deepest_hits(const PairScene& scene, const std::vector<Hit>& hits,
                                  const std::vector<const Hit*>& nearest) {
-  const auto body = [&](const Hit& hit) { return scene.solids.empty() ? 0 : scene.solids.body[hit.segment.value]; };
   std::vector<double> deepest(scene.nodes.size(), 0);
   for (const Hit& hit : hits) {
     if (!(-hit.distance > deepest[hit.slot.value])) continue;
     const Hit& near = *nearest[hit.slot.value];
     // Segments along which the node only slides may not count.
-    const bool another = body(near) == body(hit) && -hit.distance > std::abs(near.distance) * (1 + equally_near) &&
-                         !scene.slides(near.slot, near.segment, near.distance);
+    const bool another = nearer_of_body(scene, hit, near) && !scene.slides(near.slot, near.segment, near.distance);
     if (!another) deepest[hit.slot.value] = -hit.distance;
   }
   return deepest;
@@ -73,6 +71,11 @@ bool farther_by_plane(const geometry::Facet& facet, const Vector& query, double 
 }
 
 }  // namespace
+
+bool nearer_of_body(const PairScene& scene, const Hit& hit, const Hit& other) {
+  const auto body = [&](const Hit& of) { return scene.solids.empty() ? 0 : scene.solids.body[of.segment.value]; };
+  return body(other) == body(hit) && std::abs(hit.distance) > std::abs(other.distance) * (1 + equally_near);
+}
 
 std::vector<Hit> nearer_segments(const PairScene& scene, const PairFilter& allowed, const std::vector<Hit>& hits) {
   if (std::none_of(hits.begin(), hits.end(), [](const Hit& hit) { return std::signbit(hit.distance); })) return {};

@@ -7,6 +7,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/large_array.hpp"
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "base/radix_sort.hpp"
 
 namespace gapcheck::contact {
@@ -28,7 +31,7 @@ void sort_keys(std::vector<SortKey>& keys) {
     });
     return;
   }
-  std::vector<SortKey> spare(keys.size());
+  std::vector<SortKey> spare = large_array<SortKey>(keys.size());
   const auto by_node = [](const SortKey& l, const SortKey& r) { return l.node < r.node; };
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   if (!std::is_sorted(keys.begin(), keys.end(), by_node))
@@ -39,6 +42,27 @@ void sort_keys(std::vector<SortKey>& keys) {
     const auto bits = std::bit_cast<std::uint64_t>(key.depth + 0.0);
     return (bits & sign) != 0 ? bits : ~(bits | sign);
   });
+}
+
+/// Moves record order[i] to place i, along the cycles of the permutation. `order` is the identity afterwards.
+void put_in_order(std::span<Penetration> records, std::span<std::size_t> order) {
+  // The records of a cycle lie anywhere in memory: they are fetched some steps before they are moved.
+  constexpr int steps_ahead = 8;
+  for (std::size_t start = 0; start < order.size(); ++start) {
+    if (order[start] == start) continue;
+    const Penetration first = records[start];
+    std::size_t to = start, ahead = start;
+    for (int step = 0; step < steps_ahead; ++step) ahead = order[ahead];
+    for (std::size_t from = order[to]; from != start; from = order[to]) {
+      prefetch(&records[ahead]);
+      ahead = order[ahead];
+      records[to] = records[from];
+      order[to] = to;
+      to = from;
+    }
+    records[to] = first;
+    order[to] = to;
+  }
 }
 
 }  // namespace
@@ -62,27 +86,21 @@ void PenetrationList::keep_one_per_node(std::vector<Hit>& hits, const TrackedNod
 }
 
 std::span<Penetration> PenetrationList::add(std::size_t count) {
-  all_.resize(all_.size() + count);
+  resize_in_parallel(all_, all_.size() + count);
   return std::span(all_).last(count);
 }
 
 void PenetrationList::sort_deepest_first() {
+  const std::span<Penetration> own = std::span(all_).subspan(first_);
   // Records are large: their keys are sorted, then each record is moved once.
-  std::vector<SortKey> keys(all_.size() - first_);
-  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = {all_[first_ + i].depth, all_[first_ + i].node, i};
+  std::vector<SortKey> keys = large_array<SortKey>(own.size());
+  parallel_for(own.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) keys[i] = {own[i].depth, own[i].node, i};
+  });
   sort_keys(keys);
-  for (std::size_t start = 0; start < keys.size(); ++start) {
-    if (keys[start].at == start) continue;
-    const Penetration first = all_[first_ + start];
-    std::size_t to = start;
-    for (std::size_t from = keys[to].at; from != start; from = keys[to].at) {
-      all_[first_ + to] = all_[first_ + from];
-      keys[to].at = to;
-      to = from;
-    }
-    all_[first_ + to] = first;
-    keys[to].at = to;
-  }
+  std::vector<std::size_t> order(own.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = keys[i].at;
+  put_in_order(own, order);
 }
 
 }  // namespace gapcheck::contact

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/large_array.hpp"
 #include "base/parallel.hpp"
 #include "base/radix_sort.hpp"
 
@@ -139,12 +140,12 @@ void sort_along(const Items& items, const Curve& curve, std::span<Place> places,
 /// Positions of the items that are not empty, along the curve.
 template <class Items>
 std::vector<std::uint32_t> sorted(const Items& items) {
-  std::vector<Place> places(items.size());
+  std::vector<Place> places = large_array<Place>(items.size());
   parallel_for(items.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) places[i] = {items.empty(i) ? 1U : 0U, static_cast<std::uint32_t>(i)};
   });
   std::erase_if(places, [](const Place& place) { return place.key == 1; });
-  std::vector<Place> spare(places.size());
+  std::vector<Place> spare = large_array<Place>(places.size());
   sort_along(items, Curve::over_most(items), std::span(places), std::span(spare), 0);
   std::vector<std::uint32_t> order(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) order[i] = places[i].item;
@@ -160,7 +161,7 @@ template <class Items>
 void BoxTree::build(const Items& items, const FloatMap& map) {
   order_ = sorted(items);
   const auto packs = [](std::size_t n) { return (n + width - 1) / width; };
-  levels_.emplace_back(packs(order_.size()));
+  levels_.push_back(large_array<BoxPack>(packs(order_.size())));
   parallel_for(leaves(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin * width; i < std::min(end * width, order_.size()); ++i)
       levels_[0][i / width].set(i % width, map.box(items.bounds(order_[i])));

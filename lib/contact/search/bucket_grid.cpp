@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/large_array.hpp"
 #include "base/parallel.hpp"
 #include "base/pieces.hpp"
 #include "base/radix_sort.hpp"
@@ -160,7 +161,7 @@ class Grid {
       std::uint64_t key;
       std::uint32_t point;
     };
-    std::vector<Item> items(points.size());
+    std::vector<Item> items = large_array<Item>(points.size());
     parallel_for(points.size(), 16384, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) items[i] = {z_order(cell(points[i])), static_cast<std::uint32_t>(i)};
     });
@@ -168,7 +169,7 @@ class Grid {
       // Few points share the upper bits of their keys; those are sorted by the lower ones among themselves.
       constexpr int lower_bits = 30;
       constexpr std::size_t many = 4096;
-      std::vector<Item> spare(items.size());
+      std::vector<Item> spare = large_array<Item>(items.size());
       radix_sort(std::span(items), std::span(spare), 3 * bits_per_axis - lower_bits,
                  [](const Item& item) { return item.key >> lower_bits; });
       const auto upper = [&](std::size_t i) { return items[i].key >> lower_bits; };
@@ -191,8 +192,8 @@ class Grid {
         for (std::size_t i = begin; i < end; ++i) sort_runs(pieces[i], pieces[i + 1]);
       });
     }
-    keys_.resize(items.size());
-    index_.resize(items.size());
+    resize_in_parallel(keys_, items.size());
+    resize_in_parallel(index_, items.size());
     sorted_ = FloatPoints(items.size());
     parallel_for(items.size(), 16384, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {

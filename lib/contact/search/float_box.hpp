@@ -10,6 +10,7 @@
 #include <emmintrin.h>
 #endif
 
+#include "base/large_array.hpp"
 #include "contact/search/search.hpp"
 
 namespace gapcheck::contact {
@@ -80,7 +81,7 @@ class FloatPoints {
  public:
   /// Places for `count` points, to be set one by one, from any thread.
   explicit FloatPoints(std::size_t count = 0) : count_(count) {
-    for (auto& row : rows_) row.resize(count + float_width);
+    for (auto& row : rows_) resize_in_parallel(row, count + float_width);
   }
   void set(std::size_t i, const Vector& x, const FloatMap& map) {
     for (int k = 0; k < 3; ++k) rows_[static_cast<std::size_t>(k)][i] = map(x, k);

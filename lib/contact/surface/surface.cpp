@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/large_array.hpp"
 #include "base/parallel.hpp"
 #include "contact/mesh/faces.hpp"
 #include "contact/surface/segment_elements.hpp"
@@ -79,7 +80,7 @@ std::vector<std::uint32_t> elements_of(const ElementArray& elements, ElementInde
   std::size_t total = 0;
   for (const PartIndex part : parts.list) total += index.of(part).size();
   std::vector<std::uint32_t> chosen;
-  chosen.reserve(total);
+  reserve_in_parallel(chosen, total);
   if (total < elements.size() / 16 || parts.list.size() == 1) {
     for (const PartIndex part : parts.list) chosen.insert(chosen.end(), index.of(part).begin(), index.of(part).end());
     if (parts.list.size() > 1) std::sort(chosen.begin(), chosen.end());
@@ -107,8 +108,8 @@ void select_parts(Selection& selection, const model::Model& model, std::vector<b
   for (std::uint32_t p = 0; p < parts.mask.size(); ++p)
     if (parts.mask[p]) parts.list.emplace_back(p);
   const auto shells = elements_of(mesh.shells, index.shells, parts);
-  s.nodes.reserve(shells.size());
-  s.element.reserve(shells.size());
+  reserve_in_parallel(s.nodes, shells.size());
+  reserve_in_parallel(s.element, shells.size());
   s.element_kind.reserve(shells.size());
   s.kind.reserve(shells.size());
   for (const std::uint32_t e : shells) append(s, mesh.shells.nodes[e], e, ElementKind::shell, SegmentKind::shell);

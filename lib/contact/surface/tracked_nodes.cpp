@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/large_array.hpp"
 #include "base/quad.hpp"
 #include "contact/mesh/node_slots.hpp"
 #include "contact/surface/surface.hpp"
@@ -10,7 +11,7 @@ namespace {
 /// Largest thickness seen so far at each node of a surface.
 class NodeThickness {
  public:
-  explicit NodeThickness(NodeSlots slots) : slots_(std::move(slots)), entry_(slots_.size()) {}
+  explicit NodeThickness(NodeSlots slots) : slots_(std::move(slots)), entry_(large_array<Entry>(slots_.size())) {}
 
   /// The node takes part, with unknown thickness.
   void track(NodeIndex node) { entry_[slots_.slot(node)].tracked = true; }
@@ -33,10 +34,10 @@ class NodeThickness {
     TrackedNodes all;
     const auto count = std::count_if(entry_.begin(), entry_.end(), [](const Entry& e) { return e.tracked; });
     const auto room = static_cast<std::size_t>(count);
-    all.node.reserve(room);
-    all.half.reserve(room);
-    all.rule.reserve(room);
-    all.part.reserve(room);
+    reserve_in_parallel(all.node, room);
+    reserve_in_parallel(all.half, room);
+    reserve_in_parallel(all.rule, room);
+    reserve_in_parallel(all.part, room);
     for (std::uint32_t n = 0; n < entry_.size(); ++n) {
       const Entry& e = entry_[n];
       if (!e.tracked) continue;

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 
+#include "base/large_array.hpp"
 #include "base/parallel.hpp"
 #include "keyword/rows.hpp"
 #include "model/entity/erase.hpp"
@@ -122,10 +123,10 @@ class Appender {
 
   void make_room(std::size_t count) {
     if (count == 0) return;
-    elements_.id.resize(first_ + count);
-    elements_.nodes.resize(first_ + count);
-    elements_.part.resize(first_ + count);
-    elements_.line.resize(first_ + count);
+    resize_in_parallel(elements_.id, first_ + count);
+    resize_in_parallel(elements_.nodes, first_ + count);
+    resize_in_parallel(elements_.part, first_ + count);
+    resize_in_parallel(elements_.line, first_ + count);
     elements_.origins.add(static_cast<std::uint32_t>(first_), block_.file);
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/large_array.hpp"
 #include "keyword/rows.hpp"
 #include "model/entity/erase.hpp"
 #include "model/read/cards.hpp"
@@ -25,9 +26,9 @@ void read_nodes(Context& context, const Block& block, const Options&) {
   const std::size_t first = nodes.size();
   const keyword::Transform& transform = context.transform(block);
   const auto make_room = [&](std::size_t count) {
-    nodes.id.resize(first + count);
-    nodes.x.resize(first + count);
-    nodes.line.resize(first + count);
+    resize_in_parallel(nodes.id, first + count);
+    resize_in_parallel(nodes.x, first + count);
+    resize_in_parallel(nodes.line, first + count);
     if (count > 0) nodes.origins.add(static_cast<std::uint32_t>(first), block.file);
   };
   const auto take = [&](std::size_t first_row, const keyword::Rows& rows) {

@@ -1,13 +1,28 @@
 #include "base/system/memory.hpp"
 
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <limits>
+#include <cstdlib>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
+#endif
+
+// The sanitizers have an allocator of their own, which ends the process when asked for all memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GAPCHECK_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define GAPCHECK_SANITIZED
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(GAPCHECK_SANITIZED)
+#define GAPCHECK_LARGE_PAGES
 #endif
 
 namespace gapcheck::system {
@@ -15,6 +30,33 @@ namespace {
 
 /// Below this size huge pages would only waste memory.
 constexpr std::size_t worth_huge_pages = std::size_t{16} << 20;
+
+#if defined(GAPCHECK_LARGE_PAGES)
+/// Someone has limited the addresses that this process may have.
+bool addresses_are_limited() {
+  return std::ranges::any_of(std::array{RLIMIT_AS, RLIMIT_DATA}, [](auto resource) {
+    rlimit limit{};
+    return ::getrlimit(resource, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
+  });
+}
+
+/// Lets the heap grow over the addresses of nearly all memory that the machine has, and asks for large pages there.
+/// This takes no memory: a page is taken once it is written to. A system that counts what it has promised refuses; then
+/// pages stay small.
+void take_heap_in_large_pages() {
+  if (addresses_are_limited()) return;
+  constexpr std::uintptr_t large_page = std::uintptr_t{2} << 20;
+  // One request for all memory is refused, and the C library adds to it.
+  const std::size_t room =
+      static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) / 8 * 7 * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  void* heap = std::malloc(room);
+  if (heap == nullptr) return;
+  const auto begin = reinterpret_cast<std::uintptr_t>(heap);
+  const std::uintptr_t first = (begin + large_page - 1) / large_page * large_page;
+  ::madvise(reinterpret_cast<void*>(first), room - (first - begin), MADV_HUGEPAGE);
+  std::free(heap);
+}
+#endif
 
 }  // namespace
 
@@ -39,8 +81,11 @@ void keep_freed_memory() {
   // Large arrays come from the heap and not from mappings of their own, and the heap does not shrink.
   // Called before there are threads, so NOLINTBEGIN(concurrency-mt-unsafe).
   static_cast<void>(::mallopt(M_MMAP_MAX, 0));
-  static_cast<void>(::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max()));
+  static_cast<void>(::mallopt(M_TRIM_THRESHOLD, -1));
   // NOLINTEND(concurrency-mt-unsafe)
+#endif
+#if defined(GAPCHECK_LARGE_PAGES)
+  take_heap_in_large_pages();
 #endif
 }
 
