@@ -1,5 +1,6 @@
 #include "base/system/memory.hpp"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -15,11 +16,14 @@
 namespace gapcheck::system {
 namespace {
 
-#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool own_allocator = true;
+/// The allocator is not the C library's. This file is compiled once, for programs with and without sanitizers.
+bool own_allocator() {
+#if defined(__GLIBC__)
+  return ::dlsym(RTLD_DEFAULT, "__asan_init") != nullptr || ::dlsym(RTLD_DEFAULT, "__tsan_init") != nullptr;
 #else
-constexpr bool own_allocator = false;
+  return true;
 #endif
+}
 
 constexpr std::size_t many = std::size_t{64} << 20;
 
@@ -66,7 +70,7 @@ bool large_pages_at_hand() {
 }
 
 TEST(Memory, FreedMemoryIsUsedAgain) {
-  if (own_allocator) GTEST_SKIP() << "the allocator is not the C library's";
+  if (own_allocator()) GTEST_SKIP() << "the allocator is not the C library's";
   const auto faults_of_second = [](bool kept) {
     return in_child([kept] {
       if (kept) keep_freed_memory();
@@ -79,7 +83,7 @@ TEST(Memory, FreedMemoryIsUsedAgain) {
 }
 
 TEST(Memory, TheHeapIsInLargePages) {
-  if (own_allocator) GTEST_SKIP() << "the allocator is not the C library's";
+  if (own_allocator()) GTEST_SKIP() << "the allocator is not the C library's";
   enum Answer { large, small, none_at_hand };
   const int answer = in_child([] {
     keep_freed_memory();
@@ -93,7 +97,7 @@ TEST(Memory, TheHeapIsInLargePages) {
 }
 
 TEST(Memory, TakesAddressesOnly) {
-  if (own_allocator) GTEST_SKIP() << "the allocator is not the C library's";
+  if (own_allocator()) GTEST_SKIP() << "the allocator is not the C library's";
   EXPECT_EQ(in_child([] {
               const long before = status_mb("VmRSS");
               keep_freed_memory();
@@ -103,7 +107,7 @@ TEST(Memory, TakesAddressesOnly) {
 }
 
 TEST(Memory, LeavesAddressesToALimitedProcess) {
-  if (own_allocator) GTEST_SKIP() << "the allocator is not the C library's";
+  if (own_allocator()) GTEST_SKIP() << "the allocator is not the C library's";
   // Enough for all memory of the machine, but not for much beside it.
   const auto machine = static_cast<rlim_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
   EXPECT_EQ(in_child([machine] {
