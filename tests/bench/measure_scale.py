@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Audits generated decks of rising size and rewrites their table in docs/benchmarks.md.
+"""Audits generated decks of rising size and rewrites a table in docs/benchmarks.md.
 
-usage: measure_scale.py BUILD_FOLDER WORK_FOLDER DOC [--shells 100000,1000000,10000000] [--runs N]
+usage: measure_scale.py BUILD_FOLDER WORK_FOLDER DOC [--shells 100000,1000000,10000000] [--runs N] [--kinds KIND,…]
+                        [--table scale]
 
 The largest decks take about a gigabyte each in WORK_FOLDER; every deck is deleted after its runs.
 """
@@ -95,17 +96,19 @@ def main():
     parser.add_argument("--shells", type=lambda text: [int(n) for n in text.split(",")], default=[10**5, 10**6, 10**7])
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--kinds", type=lambda text: text.split(","), default=["plates", "airbag", "vehicle", "blocks"])
+    parser.add_argument("--table", default="scale", help="the one to rewrite")
     arguments = parser.parse_args()
     arguments.gapcheck = arguments.build / "apps/gapcheck/gapcheck"
     arguments.make_scene = arguments.build / "tests/bench/gapcheck_make_scene"
     arguments.work.mkdir(parents=True, exist_ok=True)
-    table = [f"{machine()}; medians of {arguments.runs} runs after one whose findings are checked, {os.cpu_count()} threads.", "",
+    table = [f"{machine()}; medians of {arguments.runs} runs after one whose findings are checked, {os.cpu_count()} threads, "
+             f"{os.sysconf('SC_PHYS_PAGES') * os.sysconf('SC_PAGE_SIZE') / 1e9:.0f} GB of memory.", "",
              "| scene | elements | deck | time | memory beyond the deck | time per element | bytes per element | exponent of time |",
              "|---|---|---|---|---|---|---|---|"]
     for kind in arguments.kinds:
         table += scene_rows(arguments, kind)
     text = arguments.doc.read_text(encoding="utf-8")
-    arguments.doc.write_text(section("scale", text, "\n".join(table)), encoding="utf-8")
+    arguments.doc.write_text(section(arguments.table, text, "\n".join(table)), encoding="utf-8")
 
 
 if __name__ == "__main__":
