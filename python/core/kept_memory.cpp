@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <mutex>
 #include <new>
 
@@ -19,7 +20,7 @@ namespace {
 /// From this size on the C library maps blocks one by one.
 constexpr std::size_t mapped_size = std::size_t{1} << 17;
 /// From this size on blocks are in large pages where the system gives them.
-constexpr std::size_t large_size = std::size_t{4} << 20, large_page = std::size_t{2} << 20;
+constexpr std::size_t large_size = std::size_t{1} << 20, large_page = std::size_t{2} << 20;
 
 class FreedBlocks {
  public:
@@ -69,9 +70,12 @@ class FreedBlocks {
 constinit FreedBlocks freed;
 
 void* aligned_block(std::size_t size) {
+  // With its last page whole, or that would be small ones.
+  if (size > std::numeric_limits<std::size_t>::max() - large_page) return nullptr;
+  const std::size_t whole = (size + large_page - 1) / large_page * large_page;
   void* memory = nullptr;
-  if (::posix_memalign(&memory, large_page, size) != 0) return nullptr;
-  ::madvise(memory, size, MADV_HUGEPAGE);
+  if (::posix_memalign(&memory, large_page, whole) != 0) return nullptr;
+  ::madvise(memory, whole, MADV_HUGEPAGE);
   return memory;
 }
 
