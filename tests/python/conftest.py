@@ -37,9 +37,9 @@ def plates():
 
 @pytest.fixture(scope="session")
 def large():
-    """A deck of 80,000 shells in two plates, as text: an audit of it takes some tenths of a second."""
+    """A deck of 320,000 shells in two plates, as text: an audit of it takes some tenths of a second."""
     import numpy
-    n = 200
+    n = 400
     x, y = numpy.meshgrid(numpy.arange(n + 1.0), numpy.arange(n + 1.0))
     plate = numpy.stack([x.ravel(), y.ravel(), numpy.zeros(x.size)], axis=1)
     corner = (numpy.arange(n)[:, None] * (n + 1) + numpy.arange(n)).ravel()
