@@ -35,45 +35,33 @@ def table(arguments):
     return rows
 
 
-def rules(arguments):
-    """All rules beside GC101 alone, on the largest deck, in pairs of runs that follow each other."""
+def pairs(arguments, names, commands):
+    """Two kinds of audits of the largest deck, in pairs of runs that follow each other. `commands`: of one audit, both."""
     n = max(arguments.sizes)
     deck = arguments.work / f"plates_{n}.k"
     subprocess.run([arguments.make_plates, str(n), deck], check=True)
-    rows = ["| shells | threads | GC101 alone, median | all rules, median | ratio, median of pairs |", "|---|---|---|---|---|"]
+    rows = [f"| shells | threads | {names[0]}, median | {names[1]}, median | ratio, median of pairs |", "|---|---|---|---|---|"]
     for jobs in (1, os.cpu_count()):
-        everything = [str(arguments.gapcheck), "audit", "--fail-on", "never", "--jobs", str(jobs), str(deck)]
-        alone = everything + ["--select", "GC101"]
-        for command in (alone, everything):
+        first, second = commands([str(arguments.gapcheck), "audit", "--fail-on", "never", "--jobs", str(jobs), str(deck)])
+        for command in (first, second):
             run_once(command)  # warms the file cache
-        pairs = [(run_once(alone)[0], run_once(everything)[0]) for _ in range(arguments.runs)]
-        rows.append(f"| {2 * n * n:,} | {jobs} | {statistics.median(a for a, _ in pairs):.3f} s "
-                    f"| {statistics.median(b for _, b in pairs):.3f} s "
-                    f"| {statistics.median(b / a for a, b in pairs):.2f} |")
+        times = [(run_once(first)[0], run_once(second)[0]) for _ in range(arguments.runs)]
+        rows.append(f"| {2 * n * n:,} | {jobs} | {statistics.median(a for a, _ in times):.3f} s "
+                    f"| {statistics.median(b for _, b in times):.3f} s "
+                    f"| {statistics.median(b / a for a, b in times):.2f} |")
         print(rows[-1], flush=True)
     deck.unlink()
     return rows
+
+
+def rules(arguments):
+    """All rules beside GC101 alone."""
+    return pairs(arguments, ("GC101 alone", "all rules"), lambda audit: ([*audit, "--select", "GC101"], audit))
 
 
 def pages(arguments):
-    """Large and small pages, on the largest deck, in pairs of runs that follow each other."""
-    n = max(arguments.sizes)
-    deck = arguments.work / f"plates_{n}.k"
-    subprocess.run([arguments.make_plates, str(n), deck], check=True)
-    rows = ["| shells | threads | small pages, median | large pages, median | ratio, median of pairs |", "|---|---|---|---|---|"]
-    for jobs in (1, os.cpu_count()):
-        large = [str(arguments.gapcheck), "audit", "--fail-on", "never", "--jobs", str(jobs), str(deck)]
-        # A process with a limit of its addresses, however high, does not ask for large pages.
-        small = ["prlimit", f"--as={2**45}", *large]
-        for command in (small, large):
-            run_once(command)  # warms the file cache
-        pairs = [(run_once(small)[0], run_once(large)[0]) for _ in range(arguments.runs)]
-        rows.append(f"| {2 * n * n:,} | {jobs} | {statistics.median(a for a, _ in pairs):.3f} s "
-                    f"| {statistics.median(b for _, b in pairs):.3f} s "
-                    f"| {statistics.median(b / a for a, b in pairs):.2f} |")
-        print(rows[-1], flush=True)
-    deck.unlink()
-    return rows
+    """Large and small pages: a process with a limit of its addresses, however high, does not ask for large ones."""
+    return pairs(arguments, ("small pages", "large pages"), lambda audit: (["prlimit", f"--as={2**45}", *audit], audit))
 
 
 def stages(arguments):
