@@ -11,8 +11,10 @@ import gapcheck
 
 # As the program has it, by settings of the C library.
 KEPT = {"MALLOC_MMAP_MAX_": "0", "MALLOC_TRIM_THRESHOLD_": "2000000000"}
+# Without large pages (PR_SET_THP_DISABLE), or a fault counts 4 KB here and 2 MB there.
 SCRIPT = """
-import resource, sys, gapcheck
+import ctypes, resource, sys, gapcheck
+assert ctypes.CDLL(None).prctl(41, 1, 0, 0, 0) == 0
 before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
 report = gapcheck.audit(sys.argv[1], jobs=1)
 print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
@@ -30,7 +32,10 @@ def test_fresh_pages_are_as_few_as_the_program_needs(deck):
     def faults(**settings):
         return int(subprocess.run([sys.executable, "-c", SCRIPT, deck], env={**os.environ, **settings}, check=True,
                                   stdout=subprocess.PIPE, text=True).stdout)
-    assert faults() < 1.25 * faults(**KEPT)
+    kept = faults(**KEPT)
+    assert kept > 5000  # 20 MB: large pages are off
+    # Without any kept blocks it is 1.7 times as many; which of them fit again differs from call to call.
+    assert faults() < 1.45 * kept
 
 
 class Blocks(ctypes.Structure):
