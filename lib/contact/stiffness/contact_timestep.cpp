@@ -121,7 +121,7 @@ void TimestepEstimate::sum(const Segments& s, double scale, TimestepLimit limit)
       corners_[i] = {spring.weight, spring.weight * spring.stiffness};
     }
   });
-  sum_at_nodes(sums_, s.size(), [&](std::size_t i, const auto& add) {
+  sum_at_nodes(sums_, s.nodes, [&](std::size_t i, const auto& add) {
     if (corners_[i].weight > 0)
       for (std::size_t c = 0; c < corners_with_spring(s.nodes[i], limit); ++c) add(s.nodes[i][c], corners_[i]);
   });
@@ -188,7 +188,7 @@ std::pair<SideTimestep, SideTimestep> TimestepEstimate::side_against_itself(cons
 }
 
 bool has_timestep(const ContactType& type) {
-  if (type.family == Family::mortar || type.family == Family::constraint || ties_by_constraint(type)) return false;
+  if (type.family == Family::constraint || ties_by_constraint(type)) return false;
   switch (type.code) {
     case ContactCode::unknown:
     case ContactCode::rigid_nodes:
@@ -215,7 +215,8 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
     const model::Contact& contact = model.contact(c);
     if (!contact.known || contact.own_layout || !has_timestep(classify(contact))) continue;
     const ContactSurfaces& s = surfaces.at(c);
-    if (contact.soft == 2) continue;  // the solver prints none
+    const bool mortar = s.type.family == Family::mortar;
+    if (contact.soft == 2 && !mortar && has_soft_2(s.type)) continue;  // the solver prints none
     TimestepEstimate& estimate = first_use ? *first_use : first_use.emplace(model, sizes);
     const bool transducer = s.type.code == ContactCode::transducer;
     const double scale_a = model.controls.slsfac * contact.sfs, scale_b = model.controls.slsfac * contact.sfm;
@@ -239,13 +240,14 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
       return UnstableSide{surface, pair, false};
     };
     const auto add = [&](char letter, const ContactSide& side, SideTimestep found, double scale) {
-      if (found.node == none<NodeIndex>) found.node = lowest_node(model.mesh.nodes, side);
-      if (found.node == none<NodeIndex>) return;
-      list.push_back({c.value, letter, s.type.printed(), found.timestep, model.mesh.nodes.id[found.node.value],
+      if (found.node == none<NodeIndex> && !side.beams_alone) found.node = lowest_node(model.mesh.nodes, side);
+      if (found.node == none<NodeIndex> && !side.beams_alone) return;
+      list.push_back({c.value, letter, s.type.printed(), found.timestep,
+                      found.node == none<NodeIndex> ? 0 : model.mesh.nodes.id[found.node.value],
                       found.part == none<PartIndex> ? 0 : model.part(found.part).id.value});
       if (found.timestep >= no_timestep_limit) return;
       if (least == 0 || found.timestep < least) least = found.timestep;
-      if (transducer || !(found.timestep < all.run)) return;
+      if (transducer || mortar || !(found.timestep < all.run)) return;  // neither has such springs
       if (const auto found_unstable = unstable(letter, side.selection.segments, scale))
         all.unstable.push_back(*found_unstable);
     };

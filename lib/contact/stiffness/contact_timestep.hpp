@@ -69,8 +69,8 @@ class TimestepEstimate {
   std::vector<double> squared_;         // by node; used if most of the mesh is in the surface
 };
 
-/// True for contacts of which the solver prints a time step: those with penalty springs and force transducers. Ties by
-/// constraint, constraint types, rigid-body force curves, beads, edges and mortar have none.
+/// True for contacts of which the solver prints a time step: those with penalty springs, mortar ones and force
+/// transducers. Ties by constraint, constraint types, rigid-body force curves, beads and edges have none.
 [[nodiscard]] bool has_timestep(const ContactType& type);
 
 /// A side of a contact whose springs are unstable at the step of the run.
@@ -84,8 +84,9 @@ struct UnstableSide {
 struct PredictedTimesteps {
   Timesteps timesteps;
   ElementTimestep element;
-  double run = 0;                      ///< run_timestep
-  std::vector<UnstableSide> unstable;  ///< ascending; transducers have no springs, those of SOFT = 2 follow the step
+  double run = 0;  ///< run_timestep
+  /// Ascending. Transducers have no springs, those of SOFT = 2 follow the step, mortar contacts have others.
+  std::vector<UnstableSide> unstable;
 };
 /// Of the elements and of the sides of these contacts.
 [[nodiscard]] PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& surfaces,

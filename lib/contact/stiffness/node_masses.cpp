@@ -1,5 +1,7 @@
 #include "contact/stiffness/node_masses.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/mesh/node_sums.hpp"
@@ -56,7 +58,7 @@ bool counts(double mass) { return mass > 0 && std::isfinite(mass); }
 void add_shells(const model::Model& model, const ElementSizes& sizes, const Densities& densities, bool printed,
                 std::vector<double>& masses) {
   const model::Mesh& mesh = model.mesh;
-  sum_at_nodes(masses, mesh.shells.size(), [&](std::size_t i, const auto& add) {
+  sum_at_nodes(masses, mesh.shells.nodes, [&](std::size_t i, const auto& add) {
     const double mass = densities.of_shell(model, i) * sizes.shell_area[i] * sizes.shell_thickness[i];
     if (!counts(mass)) return;
     const auto& n = mesh.shells.nodes[i];
@@ -66,11 +68,30 @@ void add_shells(const model::Model& model, const ElementSizes& sizes, const Dens
   });
 }
 
-void add_solids(const model::Elements<8>& elements, const std::vector<double>& volumes, const Densities& densities,
-                std::vector<double>& masses) {
-  sum_at_nodes(masses, elements.size(), [&](std::size_t i, const auto& add) {
-    const double mass = densities.at(elements.part[i]) * volumes[i];
+/// By part: its elements have four or six nodes, however often the last ones are listed.
+std::vector<bool> parts_of_tetrahedra(const model::Model& model) {
+  constexpr std::array<std::int64_t, 6> few_nodes{4, 10, 13, 15, 16, 17};
+  std::vector<bool> of_part;
+  for (const model::Part& part : model.parts) {
+    const model::Section* section = part.section ? &model.sections[*part.section] : nullptr;
+    of_part.push_back(section != nullptr && section->kind == model::SectionKind::solid &&
+                      std::ranges::count(few_nodes, section->elform) > 0);
+  }
+  return of_part;
+}
+
+/// `printed`: see node_masses().
+void add_solids(const model::Model& model, const model::Elements<8>& elements, const std::vector<double>& volumes,
+                const Densities& densities, bool printed, std::vector<double>& masses) {
+  const std::vector<bool> few_nodes = parts_of_tetrahedra(model);
+  sum_at_nodes(masses, elements.nodes, [&](std::size_t i, const auto& add) {
+    const PartIndex part = elements.part[i];
+    const double mass = densities.at(part) * volumes[i];
     if (!counts(mass)) return;
+    if (printed && !few_nodes[part.value]) {
+      for (const NodeIndex n : elements.nodes[i]) add(n, mass / 8);
+      return;
+    }
     std::array<NodeIndex, 8> distinct{};
     std::size_t count = 0;
     for (const NodeIndex n : elements.nodes[i])
@@ -110,14 +131,14 @@ std::vector<double> node_masses(const model::Model& model, const ElementSizes& s
   std::vector<double> masses(mesh.nodes.size(), 0.0);
   const Densities densities(model);
   add_shells(model, sizes, densities, printed, masses);
-  add_solids(mesh.solids, sizes.solid_volume, densities, masses);
-  add_solids(mesh.thick_shells, sizes.thick_shell_volume, densities, masses);
-  sum_at_nodes(masses, mesh.beams.size(), [&](std::size_t i, const auto& add) {
+  add_solids(model, mesh.solids, sizes.solid_volume, densities, printed, masses);
+  add_solids(model, mesh.thick_shells, sizes.thick_shell_volume, densities, printed, masses);
+  sum_at_nodes(masses, mesh.beams.nodes, [&](std::size_t i, const auto& add) {
     const double mass = beam_mass(model, i, densities.at(mesh.beams.part[i]));
     if (!counts(mass)) return;
     for (const NodeIndex n : mesh.beams.nodes[i]) add(n, mass / 2);
   });
-  sum_at_nodes(masses, mesh.masses.size(), [&](std::size_t i, const auto& add) {
+  sum_at_nodes(masses, mesh.masses.nodes, [&](std::size_t i, const auto& add) {
     if (counts(mesh.mass_values[i])) add(mesh.masses.nodes[i][0], mesh.mass_values[i]);
   });
   return masses;

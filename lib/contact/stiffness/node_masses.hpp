@@ -8,8 +8,9 @@ namespace gapcheck::contact {
 
 /// Lumped mass of every node: shells ρ A t, solids and thick shells ρ V, beams ρ A L in equal shares to their nodes,
 /// and *ELEMENT_MASS. Rigid parts count like others. Elements whose mass is not a number are left out. One pass,
-/// linear. `printed`: as in the solver's printed contact time step, where a triangle of a rigid part has a quarter of
-/// its mass at each listed corner, and so a half at the third (contact rules, section 12.3).
+/// linear. `printed`: as in the solver's printed contact time step, where each listed corner has an equal share, and so
+/// the third of a triangle two: triangles of rigid parts, and solids other than tetrahedra and wedges by ELFORM
+/// (contact rules, section 12.3).
 [[nodiscard]] std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes,
                                               bool printed = false);
 

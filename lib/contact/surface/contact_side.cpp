@@ -56,6 +56,7 @@ ContactSide build_side(const model::Model& model, const SideRequest& request, co
   }
   if (request.tracks_nodes) side.nodes = tracked_nodes(side.selection, model, request.thickness, x, index);
   side.lines = count_lines(side.selection.segments);
+  side.beams_alone = side.lines > 0 && side.lines == side.selection.segments.size();
   if (!request.single && !request.transducer) drop_lines(side);  // transducers measure at beams too
   take_negative(side, request.negative);
   const std::vector<SegmentKind>& kinds = side.selection.segments.kind;

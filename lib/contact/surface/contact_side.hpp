@@ -16,6 +16,7 @@ struct ContactSide {
   bool names_nodes = false;  ///< for that reason; false where a box has left elements without segments
   /// `selection.segments` ends with this many beam axes; only single-surface contacts keep any.
   std::size_t lines = 0;
+  bool beams_alone = false;  ///< all that it names are beams
   /// By node of the mesh: the connected body of solids that it belongs to; null: no segment is a face of one.
   std::shared_ptr<const std::vector<std::uint32_t>> bodies;
 };

@@ -181,6 +181,34 @@ TEST(ContactTimestep, SegmentContactsPrintNone) {
   EXPECT_TRUE(steps(scene).empty());
 }
 
+// The d3hsp of a run with mortar contacts prints their steps as those of the base type. SOFT = 2 of a type without it
+// becomes SOFT = 1, which changes nothing in the print.
+TEST(ContactTimestep, MortarContactsAndUnknownSoft2PrintAsTheBaseType) {
+  const auto of = [](const char* keyword, int soft) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 1), other = scene.part(2, 0.7);
+    scene.material(part, rho, bulk);
+    scene.material(other, rho, bulk);
+    scene.plate(part, Vector(0, 0, 0), Vector(2, 0, 0), Vector(0, 3, 0), 1, 1);
+    scene.plate(other, Vector(0, 0, 5), Vector(1, 0, 0), Vector(0, 1, 0), 2, 2);
+    auto& contact = scene.contact(keyword);
+    contact.a = {1, 3, 0, true};
+    contact.b = {2, 3, 0, true};
+    contact.soft = soft;
+    std::vector<double> list;
+    for (const SurfaceTimestep& side : steps(scene)) list.push_back(side.timestep);
+    return list;
+  };
+  const std::vector<double> base = of("AUTOMATIC_SURFACE_TO_SURFACE", 0), one_way = of("AUTOMATIC_NODES_TO_SURFACE", 0);
+  ASSERT_EQ(base.size(), 2U);
+  EXPECT_NE(base[0], base[1]);
+  EXPECT_EQ(of("AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", 0), base);
+  EXPECT_EQ(of("AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", 2), base);
+  EXPECT_TRUE(of("AUTOMATIC_SURFACE_TO_SURFACE", 2).empty());
+  ASSERT_EQ(one_way.size(), 2U);
+  EXPECT_EQ(of("AUTOMATIC_NODES_TO_SURFACE", 2), one_way);
+}
+
 TEST(ContactTimestep, NodesAloneAndWeakMaterialsLimitNothing) {
   Scene scene;
   const PartIndex part = scene.part(1, 1);

@@ -39,6 +39,23 @@ TEST(NodeMasses, SolidsByTheirDistinctNodes) {
   EXPECT_DOUBLE_EQ(m[d.value], 2 * 0.5 / 4);
 }
 
+// Contact rules, section 12: in the printed step ρ V / 8 at each listed node; tetrahedra by ELFORM have four.
+TEST(NodeMasses, PrintedOfSolidsByTheirListedNodes) {
+  for (const std::int64_t elform : {1, 10}) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 0);
+    scene.material(part, 2);
+    scene.model.sections[0].kind = model::SectionKind::solid;
+    scene.model.sections[0].elform = elform;
+    const NodeIndex a = scene.node(Vector(10, 0, 0)), b = scene.node(Vector(11, 0, 0)),
+                    c = scene.node(Vector(10, 1, 0)), d = scene.node(Vector(10, 0, 3));
+    scene.solid(part, {a, b, c, d, d, d, d, d});
+    const auto m = node_masses(scene.model, element_sizes(scene.model), true);
+    EXPECT_DOUBLE_EQ(m[a.value], 2 * 0.5 / (elform == 1 ? 8 : 4)) << elform;
+    EXPECT_DOUBLE_EQ(m[d.value], 2 * 0.5 * (elform == 1 ? 5. / 8 : 1. / 4)) << elform;
+  }
+}
+
 // A brick whose top is sheared upwards at one corner: the volume under a bilinear face is base times mean height.
 TEST(NodeMasses, VolumeUnderABilinearFace) {
   Scene scene;

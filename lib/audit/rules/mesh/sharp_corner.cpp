@@ -27,10 +27,27 @@ Vector inward(const model::SegmentNodes& n, NodeIndex a, NodeIndex b, const std:
   return sum;
 }
 
-/// Cosine of the angle between two segments at a common edge: 1 if they lie on each other, -1 if they are flat.
+/// True if two segments surely meet at more than a right angle at the edge from `a`, which nearly all do: found without
+/// telling their corners apart, since those on the edge do not count across it.
+bool surely_open(const model::SegmentNodes& m, const model::SegmentNodes& n, const Vector& a, const Vector& edge,
+                 const std::vector<Vector>& x) {
+  Vector p = Vector::Zero(), q = Vector::Zero();
+  for (std::size_t c = 0; c < 4; ++c) {
+    p += x[m[c].value] - a;
+    q += x[n[c].value] - a;
+  }
+  constexpr double margin = 1e-12;  // far more than the rounding of these products
+  const double squared_edge = edge.squaredNorm();
+  const double across = p.dot(q) * squared_edge - p.dot(edge) * q.dot(edge);
+  return across < -margin * (p.squaredNorm() + q.squaredNorm()) * squared_edge;
+}
+
+/// Cosine of the angle between two segments at a common edge: 1 if they lie on each other, -1 if they are flat or meet
+/// at more than a right angle.
 double cosine_at_edge(const contact::ContactMesh& mesh, std::size_t i, std::size_t j, NodeIndex a, NodeIndex b) {
   const std::vector<Vector>& x = mesh.model().mesh.nodes.x;
   const Vector edge = x[b.value] - x[a.value];
+  if (surely_open(mesh.nodes(i), mesh.nodes(j), x[a.value], edge, x)) return -1;
   Vector p = inward(mesh.nodes(i), a, b, x), q = inward(mesh.nodes(j), a, b, x);
   const double squared_edge = edge.squaredNorm();
   if (!(squared_edge > 0)) return -1;
