@@ -141,7 +141,9 @@ class Initialiser {
     summary.ties = result.tied;
     summary.untied = static_cast<std::uint64_t>(
         std::count_if(result.judged.begin(), result.judged.end(), [](const JudgedNode& node) { return !node.tied(); }));
-    summary.out_of_reach = result.out_of_reach;
+    summary.out_of_reach = result.out_of_reach.size();
+    for (const NodeIndex n : result.out_of_reach) summary.nodes_out_of_reach.push_back(model_.mesh.nodes.id[n.value]);
+    std::sort(summary.nodes_out_of_reach.begin(), summary.nodes_out_of_reach.end());
     counters_.tied_nodes += result.tied;
     if (result.judged.size() > judged_limit - state_.judged.size())
       note(c, fmt::format("its {} tied and untied nodes are counted, not listed", result.judged.size()));

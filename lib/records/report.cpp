@@ -5,9 +5,14 @@
 namespace gapcheck {
 
 void InitialSummary::add(const InitialSummary& other) {
-  const bool first = messages + nodes + eliminated == 0;
-  least = first ? other.least : std::min(least, other.least);
-  greatest = first ? other.greatest : std::max(greatest, other.greatest);
+  const bool replaces = messages + nodes + eliminated == 0 || (nodes == 0 && other.nodes > 0);
+  if (replaces) {
+    least = other.least;
+    greatest = other.greatest;
+  } else if (nodes == 0 || other.nodes > 0) {
+    least = std::min(least, other.least);
+    greatest = std::max(greatest, other.greatest);
+  }
   messages += other.messages;
   nodes += other.nodes;
   eliminated += other.eliminated;

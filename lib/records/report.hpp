@@ -51,7 +51,7 @@ struct Finding {
 /// What the solver says of the initial penetrations of one contact, all its blocks together.
 struct InitialSummary {
   std::uint64_t messages = 0, nodes = 0, eliminated = 0;
-  double least = 0, greatest = 0;  ///< penetration
+  double least = 0, greatest = 0;  ///< penetration: of the nodes; of those eliminated where there are no others
   /// Of another block of the same contact: its other side, or what was eliminated later.
   void add(const InitialSummary& other);
 };
@@ -69,6 +69,7 @@ struct ContactSummary {
   std::uint64_t segment_penetrations = 0, mortar_penetrations = 0, edge_penetrations = 0;
   std::uint64_t ties = 0, untied = 0;
   std::uint64_t out_of_reach = 0;  ///< tracked nodes of parts and segments that are too far away to be meant to tie
+  std::vector<std::int64_t> nodes_out_of_reach;   ///< their ids, ascending
   std::uint64_t reported_penetrations = 0;        ///< a count given in the files without a list of nodes (MPP); 0: none
   std::optional<InitialSummary> initial_summary;  ///< of the solver's files; none: they have none
   double contact_time_s = -1;                     ///< CPU seconds spent in it; negative: unknown

@@ -98,6 +98,49 @@ TEST(SolverLogFiles, MessagAndD3hspOfOneRunCountOnce) {
   }
 }
 
+// So does the screen's output, by what it says when the input is read.
+TEST(SolverLogFiles, TheScreenRepeatsTheMessag) {
+  const Folder folder("screen");
+  const std::string both = fixtures::smp_penetrations +
+                           "       3 initial penetrations were found for interface          2\n"
+                           "       4 initial penetrations were found for interface          5\n";
+  const std::string messag = folder.write("messag", " expanding   memory to 1\n" + both),
+                    screen = folder.write("run.log", "\n input of data is completed\n" + both);
+  for (const auto& paths :
+       {std::vector{messag}, std::vector{messag, screen}, std::vector{screen, messag}, std::vector{screen}}) {
+    Diagnostics diagnostics;
+    const auto result = read_solver_logs(paths, {}, diagnostics);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result.value().penetrations.size(), 2U);
+    EXPECT_EQ(contact_of(result.value(), 2)->reported_penetrations, 3U);
+    EXPECT_EQ(contact_of(result.value(), 5)->reported_penetrations, 4U);
+  }
+}
+
+// Each rank searches its own segments for a node on their border.
+TEST(SolverLogFiles, ANodeThatOneRankDoesNotFindCountsOnce) {
+  const Folder folder("border");
+  const std::string head = " MPP execution with       2 procs\n expanding   memory to 1\n";
+  const auto not_found = [](int node) {
+    return fixtures::tie("50135 (XXX+135)", "Tracked node is not constrained since it is\n     not found on a segment.",
+                         "tracked", 5, node);
+  };
+  const std::string far =
+      fixtures::tie("50136 (XXX+136)", "Tracked node is not constrained since it is\n     too far from segment.",
+                    "tracked", 5, 13, 3);
+  const std::vector<std::string> paths{folder.write("mes0000", head + not_found(13) + not_found(14)),
+                                       folder.write("mes0001", head + far + not_found(14))};
+  Diagnostics diagnostics;
+  const auto result = read_solver_logs(paths, {}, diagnostics);
+  ASSERT_TRUE(result);
+  const Report& report = result.value();
+  ASSERT_EQ(report.tie_failures.size(), 2U);
+  EXPECT_EQ(report.tie_failures[0].node, 13);
+  EXPECT_EQ(report.tie_failures[0].reason, TieReason::too_far);
+  EXPECT_EQ(report.tie_failures[1].node, 14);
+  EXPECT_EQ(contact_of(report, 5)->untied, 2U);
+}
+
 TEST(SolverLogFiles, D3hspBesideGivesTitlesAndNoRecords) {
   const Folder folder("beside");
   const std::string messag = folder.write("messag", " expanding   memory to 1\n");

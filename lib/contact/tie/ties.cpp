@@ -57,7 +57,7 @@ class Tying {
       const TieCandidate& candidate = candidates[slot.value];
       if (single ? !candidate.ties : !neighbours.at(nodes_.node[slot.value]).empty()) continue;
       if (candidate.segment == none<SegmentIndex> && !by_node_set) {
-        ++result_.out_of_reach;
+        result_.out_of_reach.push_back(nodes_.node[slot.value]);
         continue;
       }
       result_.judged.push_back(judged(slot, candidate, negative));

@@ -45,8 +45,8 @@ struct JudgedNode {
 struct TieResult {
   std::uint64_t nodes = 0, segments = 0;
   std::uint64_t tied = 0, moved = 0;
-  std::uint64_t out_of_reach = 0;  ///< nodes that no node set names, beyond twice the tie distance: not judged
-  std::vector<JudgedNode> judged;  ///< ascending by node; of single surfaces only the tied ones
+  std::vector<NodeIndex> out_of_reach;  ///< nodes that no node set names, beyond twice the tie distance: not judged
+  std::vector<JudgedNode> judged;       ///< ascending by node; of single surfaces only the tied ones
 };
 
 /// What the ties of one model need besides the contact itself.

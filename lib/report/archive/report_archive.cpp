@@ -59,11 +59,11 @@ void members(Archive& archive, Archived<Archive, InitialSummary>& record) {
 template <class Archive>
 void members(Archive& archive, Archived<Archive, ContactSummary>& record) {
   auto& [id, order, title, keyword, type, tracked_nodes, segments, penetrations, released, edge_zone, max_penetration,
-         segment_penetrations, mortar_penetrations, edge_penetrations, ties, untied, out_of_reach,
+         segment_penetrations, mortar_penetrations, edge_penetrations, ties, untied, out_of_reach, nodes_out_of_reach,
          reported_penetrations, initial_summary, contact_time_s, not_checked, judged_nearest, ties_judged, by_segments,
          file, line] = record;
   archive(id, order, title, keyword, type, tracked_nodes, segments, penetrations, released, edge_zone, max_penetration,
-          segment_penetrations, mortar_penetrations, edge_penetrations, ties, untied, out_of_reach,
+          segment_penetrations, mortar_penetrations, edge_penetrations, ties, untied, out_of_reach, nodes_out_of_reach,
           reported_penetrations, initial_summary, contact_time_s, not_checked, judged_nearest, ties_judged, by_segments,
           file, line);
 }

@@ -113,6 +113,22 @@ void compare_counts(const ContactSide& first, const ContactSide& second, Contact
   sum.only_second = b - sum.agree;
 }
 
+/// `unlisted`: nodes that a source counts without listing them. Those that only the other one lists (`only`, of the
+/// first source if `in_first`) may be among them, and are no difference then.
+void match_unlisted(std::uint64_t unlisted, bool in_first, ContactComparison& sum, std::size_t before,
+                    std::vector<Difference>& differences) {
+  if (unlisted == 0) return;
+  std::uint64_t& only = in_first ? sum.only_first : sum.only_second;
+  const std::uint64_t matched = std::min(unlisted, only);
+  only -= matched;
+  sum.agree += matched;
+  sum.by_number += matched;
+  (in_first ? sum.only_second : sum.only_first) += unlisted - matched;
+  const auto listed = [&](const Difference& d) { return (in_first ? d.second : d.first) < 0; };
+  const auto begin = differences.begin() + static_cast<std::ptrdiff_t>(before);
+  differences.erase(std::remove_if(begin, differences.end(), listed), differences.end());
+}
+
 /// One contact of at least one source.
 ContactComparison compare_contact(const ContactSide& first, const ContactSide& second, double tolerance,
                                   bool listed_only, std::vector<Difference>& differences) {
@@ -128,14 +144,20 @@ ContactComparison compare_contact(const ContactSide& first, const ContactSide& s
     sum.not_checked =
         sum.not_checked || !side->contact->not_checked.empty() || (listed_only && side->contact->by_segments);
     sum.tied = sum.tied || side->contact->ties_judged;
-    sum.counts_only = sum.counts_only || unlisted_penetrations(*side->contact) > 0;
+    sum.counts_only = sum.counts_only || (side->nodes.empty() && unlisted_penetrations(*side->contact) > 0);
   }
   if (sum.not_checked || sum.tied) return sum;
   const std::size_t before = differences.size();
-  if (sum.counts_only)
+  if (sum.counts_only) {
     compare_counts(first, second, sum);
-  else
+  } else {
     compare_nodes(first.nodes, second.nodes, tolerance, sum, differences);
+    const auto unlisted = [](const ContactSide& side) {
+      return side.contact == nullptr ? 0 : unlisted_penetrations(*side.contact);
+    };
+    match_unlisted(unlisted(second), true, sum, before, differences);
+    match_unlisted(unlisted(first), false, sum, before, differences);
+  }
   const auto size = [](const Difference& d) { return std::abs(std::max(d.first, 0.0) - std::max(d.second, 0.0)); };
   std::stable_sort(differences.begin() + static_cast<std::ptrdiff_t>(before), differences.end(),
                    [&](const Difference& a, const Difference& b) {

@@ -15,11 +15,12 @@ struct ContactComparison {
   std::int64_t id = 0;
   std::string title, type;
   std::uint64_t agree = 0, depth_differs = 0, only_first = 0, only_second = 0;
-  double largest_difference = 0;                             ///< of depth
+  std::uint64_t by_number = 0;    ///< of `agree`: one source lists them, the other only counts more nodes than it lists
+  double largest_difference = 0;  ///< of depth
   bool missing_in_first = false, missing_in_second = false;  ///< the whole contact
   bool not_checked = false;    ///< one source did not decide it: its records are not compared
   bool tied = false;           ///< a deck's tied contact: its ties are compared instead of penetrations
-  bool counts_only = false;    ///< one source gives the number of nodes without listing them: numbers are compared
+  bool counts_only = false;    ///< one source gives the number of nodes and lists none: numbers are compared
   bool ties_compared = false;  ///< both sources say which nodes stay untied, and there are ties or such nodes
   std::uint64_t ties_agree = 0, ties_other_reason = 0, ties_only_first = 0, ties_only_second = 0;  ///< untied nodes
   std::uint64_t ties_out_of_reach = 0;  ///< untied nodes that one source lists and the other only counts

@@ -20,6 +20,7 @@ Json comparison_entry(const ContactComparison& c) {
   if (c.missing_in_second) json["missing_in_second"] = true;
   if (c.not_checked) json["not_checked"] = true;
   if (c.counts_only) json["counts_only"] = true;
+  if (c.by_number > 0) json["by_number"] = c.by_number;
   if (c.ties_compared) {
     json["ties"] = {{"agree", c.ties_agree},
                     {"other_reason", c.ties_other_reason},

@@ -18,6 +18,7 @@ std::string note(const ContactComparison& contact) {
   if (contact.tied) return "tied";
   std::string text = contact.counts_only ? "only numbers of nodes are known" : "";
   const auto add = [&](std::string_view part) { text += (text.empty() ? "" : ", ") + std::string(part); };
+  if (contact.by_number > 0) add(fmt::format("{} of them by number, unlisted in one", contact.by_number));
   if (contact.missing_in_first) add("not in A");
   if (contact.missing_in_second) add("not in B");
   return text;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "report/compare/compare.hpp"
 #include "report/text/check_c_tables.hpp"
@@ -12,8 +13,8 @@ using UntiedNodes = std::map<std::int64_t, TieReason>;
 /// What one source says about a contact's ties.
 struct TieSide {
   bool judged = true;
-  bool ties = false;  ///< there are nodes that tie, or do not
-  std::uint64_t out_of_reach = 0;
+  bool ties = false;                           ///< there are nodes that tie, or do not
+  std::span<const std::int64_t> out_of_reach;  ///< ascending
   UntiedNodes nodes;
 };
 
@@ -23,7 +24,7 @@ TieSide side_of(const Report& report, std::optional<std::uint32_t> position) {
   const ContactSummary& contact = report.contacts[*position];
   for (const TieFailure& failure : ties_of(report, *position))
     if (untied(failure.reason)) side.nodes.emplace(failure.node, failure.reason);
-  side.out_of_reach = contact.out_of_reach;
+  side.out_of_reach = contact.nodes_out_of_reach;
   side.ties = contact.ties + contact.untied + contact.out_of_reach + side.nodes.size() > 0;
   side.judged = report.source != "deck" || side.ties || contact.not_checked.empty();
   return side;
@@ -34,11 +35,9 @@ bool beyond_reach(TieReason reason) { return reason == TieReason::too_far || rea
 /// The nodes of `from` that `other` lacks; `other` counts nodes out of reach without listing them.
 void untied_only_in(const TieSide& from, const TieSide& other, bool is_first, ContactComparison& sum,
                     std::vector<TieDifference>& differences) {
-  std::uint64_t counted = 0;
   for (const auto& [node, reason] : from.nodes) {
     if (other.nodes.contains(node)) continue;
-    if (beyond_reach(reason) && counted < other.out_of_reach) {
-      ++counted;
+    if (beyond_reach(reason) && std::binary_search(other.out_of_reach.begin(), other.out_of_reach.end(), node)) {
       ++sum.ties_out_of_reach;
       continue;
     }

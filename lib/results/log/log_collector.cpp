@@ -67,8 +67,8 @@ void LogCollector::begin_file(const std::string& name, bool companion) {
 
 void LogCollector::end_file() {
   for (Contact& contact : contacts_) {
-    if (d3hsp_)
-      contact.in_d3hsp = std::max(contact.in_d3hsp, contact.in_file);
+    if (d3hsp_ || stdout_)
+      contact.in_copies = std::max(contact.in_copies, contact.in_file);
     else
       contact.in_message_files += contact.in_file;
     contact.in_file = 0;
@@ -148,6 +148,23 @@ void LogCollector::sort_contacts(const LogOptions& options) {
   renumber(run_.surface_timesteps);
 }
 
+/// A node on the border of two ranks is judged by both, and what one of them does not find the other may: what that one
+/// says of it counts.
+void LogCollector::drop_not_found_elsewhere() {
+  using NodeOfFile = std::tuple<std::uint32_t, std::int64_t, std::uint32_t>;
+  std::vector<NodeOfFile> found;  // contact, node, file
+  for (const TieFailure& t : tie_failures_)
+    if (untied(t.reason) && t.reason != TieReason::not_found) found.emplace_back(t.contact, t.node, t.file);
+  std::sort(found.begin(), found.end());
+  repeated_ += std::erase_if(tie_failures_, [&](const TieFailure& t) {
+    if (t.reason != TieReason::not_found) return false;
+    auto other = std::lower_bound(found.begin(), found.end(), NodeOfFile(t.contact, t.node, 0));
+    for (; other != found.end() && std::get<0>(*other) == t.contact && std::get<1>(*other) == t.node; ++other)
+      if (std::get<2>(*other) != t.file) return true;
+    return false;
+  });
+}
+
 /// Sorts into the order promised by Report; the same record from several files becomes one.
 void LogCollector::sort_records() {
   std::ranges::stable_sort(run_.surface_timesteps, {}, &SurfaceTimestep::contact);
@@ -165,6 +182,7 @@ void LogCollector::sort_records() {
   repeated_ += merge_repeated(tie_failures_, [](const TieFailure& a, const TieFailure& b) {
     return a.contact == b.contact && a.node == b.node && a.reason == b.reason;
   });
+  drop_not_found_elsewhere();
   sort_by(
       run_.rigidwalls, [](const RigidwallPenetration& w) { return std::tuple(w.wall, w.node, w.depth); },
       [](const RigidwallPenetration& w) { return std::tuple(w.file, w.line); });
@@ -188,7 +206,7 @@ Report LogCollector::finish(const LogOptions& options) {
   report.source = "messag";
   report.files = std::move(files_);
   for (Contact& contact : contacts_) {
-    contact.summary.reported_penetrations = std::max(contact.in_message_files, contact.in_d3hsp);
+    contact.summary.reported_penetrations = std::max(contact.in_message_files, contact.in_copies);
     report.contacts.push_back(std::move(contact.summary));
   }
   report.model.contacts = report.contacts.size();

@@ -61,13 +61,14 @@ class LogCollector {
     ContactSummary summary;
     TypeSource type_source = TypeSource::none;
     bool timestep_a = false, timestep_b = false;
-    // A d3hsp repeats what the message files say; message files of several ranks add up.
-    std::uint64_t in_file = 0, in_message_files = 0, in_d3hsp = 0;
+    // A d3hsp and the screen's output repeat what the message files say; message files of several ranks add up.
+    std::uint64_t in_file = 0, in_message_files = 0, in_copies = 0;
     std::optional<InitialSummary> summary_in_file;
   };
 
   void sort_contacts(const LogOptions& options);
   void sort_records();
+  void drop_not_found_elsewhere();
   void count_records(Report& report) const;
 
   Diagnostics& diagnostics_;

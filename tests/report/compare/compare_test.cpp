@@ -146,6 +146,29 @@ TEST(Compare, NumbersWhereNodesAreNotListed) {
   EXPECT_EQ(compare(second, first, 0).contacts[0].only_first, 3u);
 }
 
+TEST(Compare, ListedNodesByNameAndTheRestByNumber) {
+  const Report first = two_contacts({record(0, 1, 0.5), record(0, 2, 0.4), record(0, 3, 0.3)});
+  Report second = two_contacts({record(0, 1, 0.5)});
+  second.contacts[0].penetrations = 1;
+  second.contacts[0].reported_penetrations = 3;
+  const Comparison equal = compare(first, second, 0);
+  EXPECT_TRUE(equal.equal());
+  EXPECT_EQ(equal.contacts[0].agree, 3U);
+  EXPECT_EQ(equal.contacts[0].by_number, 2U);
+  EXPECT_FALSE(equal.contacts[0].counts_only);
+  EXPECT_TRUE(equal.differences.empty());
+  // A listed node that the other source lacks is a difference, whatever the numbers say, and so is another depth.
+  second.penetrations = {record(0, 7, 0.5)};
+  EXPECT_EQ(compare(first, second, 0).contacts[0].only_second, 1U);
+  EXPECT_EQ(compare(first, second, 0).contacts[0].only_first, 1U);
+  second.penetrations = {record(0, 1, 0.1)};
+  EXPECT_EQ(compare(first, second, 0).contacts[0].depth_differs, 1U);
+  // More than anybody could name.
+  second.contacts[0].reported_penetrations = 5;
+  EXPECT_EQ(compare(first, second, 0).contacts[0].only_second, 2U);
+  EXPECT_EQ(compare(second, first, 0).contacts[0].only_first, 2U);
+}
+
 TEST(Compare, AgreesWithANaiveComparison) {
   std::mt19937 random(12);
   for (unsigned round = 0; round < 50; ++round) {

@@ -29,6 +29,12 @@ Report tied(std::vector<TieFailure> failures) {
 
 using enum TieReason;
 
+/// The deck's contact leaves these nodes out of reach.
+void reach_not(Report& report, std::vector<std::int64_t> nodes) {
+  report.contacts[0].out_of_reach = nodes.size();
+  report.contacts[0].nodes_out_of_reach = std::move(nodes);
+}
+
 TEST(CompareTies, AgreeingOtherReasonOnlyHereOnlyThere) {
   const Report first = tied({failure(1, too_far), failure(2, too_far), failure(3, conflict), failure(9, offset)});
   const Report second = tied({failure(1, too_far), failure(2, not_found), failure(8, rigslav)});
@@ -51,7 +57,7 @@ TEST(CompareTies, AgreeingOtherReasonOnlyHereOnlyThere) {
 
 TEST(CompareTies, NodesOutOfReachAreCountedByADeckAndListedByTheSolver) {
   Report deck = tied({failure(1, too_far)});
-  deck.contacts[0].out_of_reach = 2;
+  reach_not(deck, {5, 6});
   Report log = tied({failure(1, too_far), failure(5, too_far), failure(6, not_found)});
   log.source = "messag";
   EXPECT_TRUE(compare(deck, log, 0).equal());
@@ -59,13 +65,27 @@ TEST(CompareTies, NodesOutOfReachAreCountedByADeckAndListedByTheSolver) {
   log.tie_failures.push_back(failure(7, too_far));
   EXPECT_EQ(compare(deck, log, 0).contacts[0].ties_only_second, 1u);
   log.tie_failures.back().reason = conflict;
-  deck.contacts[0].out_of_reach = 5;
+  reach_not(deck, {5, 6, 7});
   EXPECT_EQ(compare(deck, log, 0).contacts[0].ties_only_second, 1u);
+}
+
+TEST(CompareTies, ANodeThatADeckTiesIsNotOneOutOfItsReach) {
+  Report deck = tied({});
+  reach_not(deck, {20, 21, 22});
+  Report log = tied({failure(1, too_far), failure(2, not_found), failure(21, not_found)});
+  log.source = "messag";
+  const Comparison comparison = compare(deck, log, 0);
+  EXPECT_EQ(comparison.contacts[0].ties_out_of_reach, 1U);
+  EXPECT_EQ(comparison.contacts[0].ties_only_second, 2U);
+  ASSERT_EQ(comparison.tie_differences.size(), 2U);
+  EXPECT_EQ(comparison.tie_differences[0].node, 1);
+  EXPECT_EQ(comparison.tie_differences[1].node, 2);
 }
 
 TEST(CompareTies, NodesOutOfReachAreCountedForEachSideOnItsOwn) {
   Report first = tied({failure(1, too_far)}), second = tied({failure(2, too_far)});
-  first.contacts[0].out_of_reach = second.contacts[0].out_of_reach = 1;
+  reach_not(first, {2});
+  reach_not(second, {1});
   EXPECT_TRUE(compare(first, second, 0).equal());
   EXPECT_EQ(compare(first, second, 0).contacts[0].ties_out_of_reach, 2u);
 }
