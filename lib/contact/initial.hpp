@@ -8,6 +8,7 @@
 #include "contact/definition/contact_type.hpp"
 #include "contact/pair/closest_segment.hpp"
 #include "contact/search/choose_search.hpp"
+#include "contact/search/nearest_boxes.hpp"
 #include "contact/surface/contact_surfaces.hpp"
 #include "contact/tie/ties.hpp"
 #include "geometry/decide.hpp"
@@ -21,9 +22,10 @@ struct InitialOptions {
   double tolerance = -1;               ///< replaces the default tolerance of a penetration; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
   bool brute_force = false;
-  std::optional<SearchKind> search;  ///< nothing: chosen for each search by its scene
-  bool nodes_stay = false;           ///< penetrating nodes are not moved, whatever the settings
-  bool repeated = true;              ///< false, with nodes_stay: contacts that repeat an earlier one are left out
+  double most_pairs = crowd_pairs_of_decks;  ///< of one search; beyond, only the nearest segments of each node
+  std::optional<SearchKind> search;          ///< nothing: chosen for each search by its scene
+  bool nodes_stay = false;                   ///< penetrating nodes are not moved, whatever the settings
+  bool repeated = true;  ///< false, with nodes_stay: contacts that repeat an earlier one are left out
   // Penetrations that move no nodes are searched only on request.
   bool segments = false;  ///< contacts with SOFT = 2
   bool mortar = false;

@@ -57,6 +57,8 @@ class SideSearch {
                     nodes,     all.neighbours, all.surface_type, all.solids,   {}};
     scene.tolerance = of_.options.tolerance;
     scene.mode = of_.options.mode;
+    scene.flush = written_digits;
+    scene.most_pairs = of_.options.most_pairs;
     scene.own = all.own;
     scene.own_neighbours = all.own_neighbours;
     const model::Mesh& mesh = of_.model.mesh;
@@ -89,6 +91,8 @@ class SideSearch {
     }
     PairScene& scene = side->scene();
     scene.tolerance = of_.options.tolerance;
+    scene.flush = written_digits;
+    scene.most_pairs = of_.options.most_pairs;
     scene.mode = of_.options.mode;
     std::vector<Hit> hits;
     if (!type.only_edges()) hits = search(scene, side->tracked());
@@ -114,7 +118,8 @@ class SideSearch {
       if (rule == PairRule::tied) tied_pairs += penetrates;
       return rule == PairRule::counts;
     };
-    const PairFilter filter{allowed, !exclusions_.empty() || of_.ties.size() > 0};
+    const auto only_in_band = [&](SlotIndex slot, SegmentIndex segment) { return rules.only_in_band(slot, segment); };
+    const PairFilter filter{allowed, !exclusions_.empty() || of_.ties.size() > 0, only_in_band};
     std::vector<Hit> hits = closest_segments(scene, of_.search, filter, of_.counters.sweep, of_.counters.decisions);
     of_.counters.tied_pairs += tied_pairs;
     of_.counters.excluded_pairs += excluded;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -158,6 +159,79 @@ TEST(Initial, TJointWithThickShellsIsClean) {
   EXPECT_TRUE(scene.run().penetrations.empty());
 }
 
+/// A sheet folded back onto itself: two legs of `rows` elements of 5, `gap` apart, joined by one row of elements; 1
+/// thick. Or by a beam at the middle of the fold.
+Scene hem(std::uint32_t rows, double gap, bool by_beam = false) {
+  Scene scene;
+  const PartIndex part = scene.part(1, 1);
+  const auto low = scene.plate(part, {0, 0, 0}, 5 * ex, 5 * ey, rows, 2),
+             high = scene.plate(part, {0, 0, gap}, 5 * ex, 5 * ey, rows, 2);
+  const std::size_t row = rows + 1;
+  for (std::size_t j = 0; j < 2 && !by_beam; ++j)
+    scene.shell(part, {low[j * row], low[(j + 1) * row], high[(j + 1) * row], high[j * row]});
+  if (by_beam) {
+    const PartIndex rod = scene.part(2, 0);
+    scene.model.sections.back().kind = model::SectionKind::beam;
+    auto& beams = scene.model.mesh.beams;
+    beams.id.push_back(1);
+    beams.nodes.push_back({low[row], high[row]});
+    beams.part.push_back(rod);
+    beams.line.push_back(0);
+  }
+  return scene;
+}
+
+// Contact rules, section 1: every segment that the node does not belong to. At the fold these share a node with the
+// node's own elements.
+TEST(Initial, TheNodesOfAFoldPenetrateTheOtherLeg) {
+  Scene scene = hem(3, 0.9);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE").ignore = 1;
+  const InitialState state = scene.run();
+  ASSERT_EQ(state.penetrations.size(), 2U * 4 * 3);
+  for (const Penetration& p : state.penetrations) {
+    EXPECT_EQ(p.kind, PenetrationKind::initial);
+    EXPECT_NEAR(p.depth, 0.1, 1e-12) << p.node;
+  }
+  Scene apart = hem(3, 1.1);
+  apart.contact("AUTOMATIC_SINGLE_SURFACE");
+  EXPECT_TRUE(apart.run().penetrations.empty());
+  // A beam holds the legs apart: its ends do not meet the segments at the other end.
+  Scene held = hem(3, 0.9, true);
+  held.contact("AUTOMATIC_SINGLE_SURFACE").ignore = 1;
+  EXPECT_EQ(held.run().penetrations.size(), 2U * 4 * 3 - 2);
+}
+
+// A sheet thicker than its elements are long: the next but one lies within the contact distance, but not below.
+TEST(Initial, ThickSheetsDoNotPenetrateThemselves) {
+  Scene scene;
+  scene.plate(scene.part(1, 12), {0, 0, 0}, 5 * ex, 5 * ey, 6, 6);
+  scene.model.controls.ssthk = 1;
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  EXPECT_GT(scene.run().contacts[0].edge_zone, 0U) << "those farther away than a ring";
+  EXPECT_EQ(scene.run().contacts[0].penetrations, 0U);
+}
+
+// Bent by a right angle, its nodes are within the contact distance of the other leg, and above it.
+TEST(Initial, ThickSheetsPenetrateThemselvesInCorners) {
+  Scene scene;
+  const PartIndex part = scene.part(1, 3);
+  const auto floor = scene.plate(part, {0, 0, 0}, 2 * ex, 2 * ey, 6, 6);
+  std::array<NodeIndex, 7> below{};
+  for (std::size_t j = 0; j < 7; ++j) below[j] = floor[7 * j];
+  for (int k = 1; k < 6; ++k) {
+    std::array<NodeIndex, 7> above{};
+    for (std::size_t j = 0; j < 7; ++j) above[j] = scene.node({0, 2.0 * static_cast<double>(j), 2.0 * k});
+    for (std::size_t j = 0; j < 6; ++j) scene.shell(part, {below[j], below[j + 1], above[j + 1], above[j]});
+    below = above;
+  }
+  scene.model.controls.ssthk = 1;
+  scene.contact("AUTOMATIC_SINGLE_SURFACE").ignore = 1;
+  const InitialState state = scene.run();
+  EXPECT_EQ(state.contacts[0].penetrations, 2U * 7) << "of the first row on either leg";
+  for (const Penetration& p : state.penetrations)
+    if (p.kind == PenetrationKind::initial) EXPECT_NEAR(p.depth, 1, 1e-12) << p.node;
+}
+
 TEST(Initial, NodeInsideASolid) {
   for (const double inside : {0.3, 1.5}) {
     Scene scene;
@@ -182,6 +256,24 @@ TEST(Initial, NodeBesideAConvexEdgeOfASolidIsOutside) {
   c.a = {5, 4, 0, true};
   c.b = {1, 3, 0, true};
   EXPECT_TRUE(scene.run().penetrations.empty());
+}
+
+// Contact rules, section 12: the closest segment. One block is 0.02 higher than the other and 0.1 deep in its side: a
+// node above the top is outside, and one at the bottom is 0.02 deep.
+TEST(Initial, BlocksThatAreNearlyFlushPenetrateTheClosestFace) {
+  Scene scene;
+  scene.brick(scene.part(1, 0), {0, 0, 0}, {10, 10, 10});
+  scene.brick(scene.part(2, 0), {9.9, 2, 0.02}, {5, 5, 10});
+  auto& c = scene.contact("AUTOMATIC_SURFACE_TO_SURFACE");
+  c.a = {2, 3, 0, true};
+  c.b = {1, 3, 0, true};
+  c.ignore = 1;
+  const InitialState state = scene.run();
+  ASSERT_EQ(state.penetrations.size(), 2U);
+  for (const Penetration& p : state.penetrations) {
+    EXPECT_NEAR(p.depth, 0.02, 1e-12);
+    EXPECT_NEAR(p.original.z(), 0.02, 1e-12);
+  }
 }
 
 TEST(Initial, TiedNodesAreNotReportedAgainstTheirPart) {

@@ -62,14 +62,26 @@ class Pass {
   }
 
  private:
-  /// Nodes of the elements at a node: single surfaces leave out every segment that has one of them (1.3).
-  [[nodiscard]] std::set<std::int64_t> ring(std::int64_t node) const {
-    std::set<std::int64_t> nodes{node};
-    if (!rules_.single) return nodes;
-    for (const Element& e : scene_.elements)
-      if (std::find(e.nodes.begin(), e.nodes.end(), node) != e.nodes.end())
-        nodes.insert(e.nodes.begin(), e.nodes.end());
-    return nodes;
+  /// Nodes of the elements at a node (1.3).
+  struct Ring {
+    std::set<std::int64_t> all, without_shells;
+  };
+  [[nodiscard]] Ring ring(std::int64_t node) const {
+    Ring ring{{node}, {node}};
+    if (!rules_.single) return ring;
+    for (const Element& e : scene_.elements) {
+      if (std::find(e.nodes.begin(), e.nodes.end(), node) == e.nodes.end()) continue;
+      ring.all.insert(e.nodes.begin(), e.nodes.end());
+      if (e.kind != Kind::shell) ring.without_shells.insert(e.nodes.begin(), e.nodes.end());
+    }
+    return ring;
+  }
+  static bool meets(const Facet& facet, const std::set<std::int64_t>& nodes) {
+    return std::any_of(facet.nodes.begin(), facet.nodes.end(), [&](auto n) { return nodes.contains(n); });
+  }
+  /// A two-sided shell, which only leaves out its own nodes in a single surface (1.3).
+  [[nodiscard]] bool meets_own_sheet(const Facet& facet) const {
+    return rules_.single && !rules_.by_segments && !facet.line && !facet.coated && !oriented(facet);
   }
 
   [[nodiscard]] bool is_corner(std::int64_t node) const {
@@ -140,15 +152,15 @@ class Pass {
     return seen;
   }
 
-  /// Segments that share a node with the tracked one's elements, or to whose part it is tied, do not exist for it.
-  [[nodiscard]] bool left_out(const Facet& facet, std::int64_t node, const std::set<std::int64_t>& neighbours) const {
-    return tied_.contains({node, facet.part}) ||
-           std::any_of(facet.nodes.begin(), facet.nodes.end(), [&](auto n) { return neighbours.contains(n); });
+  /// Segments that share a node with the tracked one's elements, or to whose part it is tied, do not exist for it;
+  /// shells share nodes with other shells and yet meet them.
+  [[nodiscard]] bool left_out(const Facet& facet, std::int64_t node, const Ring& ring) const {
+    return tied_.contains({node, facet.part}) || meets(facet, meets_own_sheet(facet) ? ring.without_shells : ring.all);
   }
 
   /// A node is behind a segment only if no other one of the body is nearer, however far that one sees; shells are one
   /// body (3.4).
-  [[nodiscard]] bool behind_another(const Seen& hit, const std::set<std::int64_t>& neighbours, Verdict& verdict) const {
+  [[nodiscard]] bool behind_another(const Seen& hit, const Ring& neighbours, Verdict& verdict) const {
     const auto body = [](const Facet& f) { return f.solid ? f.part : 0; };
     const Vector& query = at(x_, verdict.node);
     for (const Facet& other : reference_.facets) {
@@ -207,7 +219,7 @@ class Pass {
   /// A face of a brick along which a corner of another brick slides does not count (3.4); the reference leaves these
   /// nodes out.
   [[nodiscard]] bool may_slide(const Seen& seen, std::int64_t node) const {
-    return seen.facet->solid && seen.closest.distance <= 0.0101 * shorter_diagonal(*seen.facet, x_) &&
+    return seen.facet->solid && seen.closest.distance <= 1.01e-6 * shorter_diagonal(*seen.facet, x_) &&
            std::any_of(tracked_.facets.begin(), tracked_.facets.end(),
                        [&](const Facet& f) { return f.solid && f.has(node); });
   }
@@ -219,7 +231,9 @@ class Pass {
     std::vector<Seen> all;
     for (const Facet& facet : reference_.facets) {
       if (left_out(facet, node, neighbours)) continue;
-      if (const auto seen = see(facet, half, verdict)) all.push_back(*seen);
+      const auto seen = see(facet, half, verdict);
+      if (!seen || (seen->closest.beyond_band > 0 && meets(facet, neighbours.all))) continue;
+      all.push_back(*seen);
     }
     for (const Seen& seen : all) {
       if (!seen.hit) continue;

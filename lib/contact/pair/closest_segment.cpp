@@ -176,6 +176,7 @@ class PairSweep {
   }
 
   void keep_allowed(const Hit& hit) {
+    if (!hit.in_band && allowed_.only_in_band && allowed_.only_in_band(hit.slot, hit.segment)) return;
     if (!nearest_.add(hit)) return;
     hits_.push_back(hit);
     if (hits_.size() < full_) return;
@@ -324,7 +325,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
     pairs.fetch_add(local.size(), std::memory_order_relaxed);
     if (!local.empty()) visit(SegmentIndex{box}, local);
   };
-  if (!search.exhaustive() && crowded(points, boxes)) {
+  if (!search.exhaustive() && crowded(points, boxes, scene.most_pairs)) {
     counters.crowded_nodes += points.size();
     std::vector<Bounds> cores(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)

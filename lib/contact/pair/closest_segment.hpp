@@ -19,6 +19,8 @@ struct SweepCounters {
 struct PairFilter {
   std::function<bool(SlotIndex, SegmentIndex, bool penetrates)> counts;  ///< called from any thread
   bool tallies = false;  ///< it keeps a tally of the pairs that it is asked for, so it is asked for each of them once
+  /// Pairs that count only if the node is in the segment's band; empty: none.
+  std::function<bool(SlotIndex, SegmentIndex)> only_in_band = {};
   [[nodiscard]] bool operator()(SlotIndex slot, SegmentIndex segment, bool penetrates) const {
     return counts(slot, segment, penetrates);
   }

@@ -18,8 +18,6 @@ constexpr double band_end = 1.5 * (1 + relative_tolerance);
 constexpr double shell_behind = 0.5;
 /// Faces look against each other if the cosine of their normals is below this: 84 degrees from opposite at most.
 constexpr double against = -0.1;
-/// A node counts as flush with a face from which it is no farther than this share of the face's shorter diagonal.
-constexpr double flush_share = 0.01;
 
 PairResult measure_line(const geometry::Facet& f, const Vector& q) {
   PairResult result;
@@ -115,12 +113,12 @@ bool PairScene::slides(SlotIndex slot, SegmentIndex segment, double distance) co
   if (own_neighbours == nullptr || segments.kind[segment.value] != SegmentKind::solid) return false;
   const geometry::Facet plane = facet(segment);
   const Vector normal = quad_normal(plane.x);
-  const double flush = flush_share * min_diagonal(plane);
+  const double near = flush * min_diagonal(plane);
   // Of a warped face the distance tells; of one beside the node, the next along a flush side, its plane.
-  if (!(std::abs(distance) <= flush)) {
+  if (!(std::abs(distance) <= near)) {
     const Vector middle = (plane.x[0] + plane.x[1] + plane.x[2] + plane.x[3]) / 4;
     const double height = normal.dot(position(slot) - middle);
-    if (!(height * height < flush * flush * normal.squaredNorm())) return false;
+    if (!(height * height < near * near * normal.squaredNorm())) return false;
   }
   const std::span<const SegmentIndex> around = own_neighbours->at(nodes.node[slot.value]);
   for (const SegmentIndex each : around) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact/definition/contact_type.hpp"
+#include "contact/search/nearest_boxes.hpp"
 #include "contact/surface/neighbours.hpp"
 #include "contact/surface/surface.hpp"
 #include "geometry/decide.hpp"
@@ -40,6 +41,10 @@ struct PairScene {
   std::vector<bool> flipped;     ///< by segment: oriented against its node order; empty: none
   double tolerance = -1;         ///< replaces the default tolerance; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
+  /// A node that is so near to a face's plane lies in it, as a share of the face's shorter diagonal: of blocks that
+  /// slide with flush sides in a run. In a deck they are flush as far as its digits say.
+  double flush = 0.01;
+  double most_pairs = crowd_pairs;             ///< of one search; beyond, only the nearest segments of each node
   const Segments* own = nullptr;               ///< of the tracked nodes' side; null: not known
   const Neighbours* own_neighbours = nullptr;  ///< of these
   /// By segment: how far segments near it look behind themselves (nearby_behind()); empty: reach() leaves that out.

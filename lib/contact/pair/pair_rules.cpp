@@ -32,8 +32,10 @@ PairRules::PairRules(const PairScene& scene, const ContactSide& tracked, const E
 }
 
 PairRule PairRules::operator()(SlotIndex slot, SegmentIndex segment) const {
-  const NodeIndex node = scene_.nodes.node[slot.value];
-  if (single_ && scene_.neighbours.in_ring(node, segment)) return PairRule::neighbour;
+  const NodeIndex node = node_of(slot);
+  if (single_ && (counts_beside_own(segment) ? scene_.neighbours.in_ring_without_shells(node, segment)
+                                             : scene_.neighbours.in_ring(node, segment)))
+    return PairRule::neighbour;
   if (!corners_.empty() && !corners_[slot.value]) return PairRule::no_corner;
   const PartIndex part = part_of(scene_.model.mesh, scene_.segments, segment.value);
   if (!own_part_ && part == scene_.nodes.part[slot.value]) return PairRule::own_part;

@@ -35,11 +35,11 @@ std::vector<std::size_t> sampled_positions(std::size_t count, std::size_t most, 
   return list;
 }
 
-/// Whether the share of pairs that `meet(box, point)` finds among samples is too large.
+/// Whether the share of pairs that `meet(box, point)` finds among samples is too large: more than `most` in all.
 template <class Meet>
-bool too_many(std::size_t points, std::size_t boxes, const Meet& meet) {
+bool too_many(std::size_t points, std::size_t boxes, double most, const Meet& meet) {
   const double all = static_cast<double>(points) * static_cast<double>(boxes);
-  if (!(all > crowd_pairs)) return false;
+  if (!(all > most)) return false;
   return std::all_of(samples.begin(), samples.end(), [&](const auto& size) {
     const std::vector<std::size_t> some_boxes = sampled_positions(boxes, size[0], size[0]);
     const std::vector<std::size_t> some_points = sampled_positions(points, size[1], size[1]);
@@ -47,7 +47,7 @@ bool too_many(std::size_t points, std::size_t boxes, const Meet& meet) {
     for (const std::size_t b : some_boxes)
       for (const std::size_t p : some_points) met += meet(b, p) ? 1 : 0;
     const double share = static_cast<double>(met) / static_cast<double>(some_boxes.size() * some_points.size());
-    return share * all > crowd_pairs && share * static_cast<double>(boxes) > crowd_pairs_each;
+    return share * all > most && share * static_cast<double>(boxes) > crowd_pairs_each;
   });
 }
 
@@ -126,13 +126,14 @@ PairKeys nearest_pairs(const Choice& choice, std::span<const Vector> points, std
 
 }  // namespace
 
-bool crowded(std::span<const Vector> points, std::span<const Bounds> boxes) {
-  return too_many(points.size(), boxes.size(),
+bool crowded(std::span<const Vector> points, std::span<const Bounds> boxes, double most) {
+  return too_many(points.size(), boxes.size(), most,
                   [&](std::size_t b, std::size_t p) { return boxes[b].contains(points[p]); });
 }
 
 bool crowded(std::span<const Bounds> boxes) {
-  return too_many(boxes.size(), boxes.size(), [&](std::size_t a, std::size_t b) { return boxes[a].meets(boxes[b]); });
+  return too_many(boxes.size(), boxes.size(), crowd_pairs,
+                  [&](std::size_t a, std::size_t b) { return boxes[a].meets(boxes[b]); });
 }
 
 void run_nearest(std::span<const Vector> points, std::span<const Bounds> boxes, std::span<const Bounds> cores,

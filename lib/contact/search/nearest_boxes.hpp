@@ -8,18 +8,19 @@
 namespace gapcheck::contact {
 
 /// Of how many pairs a search may consist, and how many each point may have on average, before it is crowded. Contacts
-/// whose thickness suits their mesh have some tens.
-inline constexpr double crowd_pairs = 2e6, crowd_pairs_each = 400;
+/// whose thickness suits their mesh have some tens. A deck is searched once, so it may have more than each search of a
+/// run.
+inline constexpr double crowd_pairs = 2e6, crowd_pairs_of_decks = 2e7, crowd_pairs_each = 400;
 
 /// To how many of the boxes that contain it a point of a crowded search is compared: the nearest ones.
 inline constexpr std::uint32_t most_candidates = 100;
 
-/// True if the points lie in so many boxes that not all pairs can be decided: more than `crowd_pairs`, and more than
+/// True if the points lie in so many boxes that not all pairs can be decided: more than `most`, and more than
 /// `crowd_pairs_each` for each point, as counted on a sample of both. A thickness in the wrong unit does that, or
 /// thousands of nodes in one point.
-[[nodiscard]] bool crowded(std::span<const Vector> points, std::span<const Bounds> boxes);
+[[nodiscard]] bool crowded(std::span<const Vector> points, std::span<const Bounds> boxes, double most = crowd_pairs);
 
-/// The same for boxes that meet each other.
+/// The same for boxes that meet each other, more than `crowd_pairs`.
 [[nodiscard]] bool crowded(std::span<const Bounds> boxes);
 
 /// What a CandidateSearch finds, but for each point only `most_candidates` boxes: those whose `cores` are nearest to

@@ -55,9 +55,25 @@ bool Neighbours::meets_cut(NodeIndex node, const model::SegmentNodes& corners) c
 bool Neighbours::in_ring(NodeIndex node, SegmentIndex segment) const {
   const auto& corners = segments_->nodes[segment.value];
   if (!cut_.empty() && meets_cut(node, corners)) return true;
-  for (const SegmentIndex own : at(node)) {
+  for (const SegmentIndex own : at(node))
     for (const NodeIndex n : segments_->nodes[own.value])
       if (is_corner(corners, n)) return true;
+  return meets_solid(node, corners);
+}
+
+bool Neighbours::in_ring_without_shells(NodeIndex node, SegmentIndex segment) const {
+  const auto& corners = segments_->nodes[segment.value];
+  if (is_corner(corners, node)) return true;
+  for (const SegmentIndex own : at(node)) {
+    if (segments_->element_kind[own.value] == model::ElementKind::shell) continue;
+    for (const NodeIndex n : segments_->nodes[own.value])
+      if (is_corner(corners, n)) return true;
+  }
+  return meets_solid(node, corners);
+}
+
+bool Neighbours::meets_solid(NodeIndex node, const model::SegmentNodes& corners) const {
+  for (const SegmentIndex own : at(node)) {
     const auto kind = segments_->element_kind[own.value];
     const std::uint32_t e = segments_->element[own.value];
     if (e == no_position) continue;

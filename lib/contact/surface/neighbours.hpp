@@ -27,11 +27,14 @@ class Neighbours {
   /// contact checks no penetration. Elements are the segments of this surface, those that a box cuts, and solids with
   /// all their nodes.
   [[nodiscard]] bool in_ring(NodeIndex node, SegmentIndex segment) const;
+  /// The same of the segment's own corners, and of the node's elements that are not shells.
+  [[nodiscard]] bool in_ring_without_shells(NodeIndex node, SegmentIndex segment) const;
   /// True if no other segment has the edge.
   [[nodiscard]] bool free_edge(SegmentIndex segment, NodeIndex a, NodeIndex b) const;
 
  private:
   [[nodiscard]] bool meets_cut(NodeIndex node, const model::SegmentNodes& corners) const;
+  [[nodiscard]] bool meets_solid(NodeIndex node, const model::SegmentNodes& corners) const;
 
   const Segments* segments_;
   const model::Mesh* mesh_;
