@@ -22,6 +22,9 @@ struct InitialOptions {
   double tolerance = -1;               ///< replaces the default tolerance of a penetration; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
   bool brute_force = false;
+  /// How near to a face's plane a node lies in it, as a share of the face's shorter diagonal (PairScene::flush): what
+  /// coordinates with some eight digits leave open.
+  double flush = 1e-6;
   double most_pairs = crowd_pairs_of_decks;  ///< of one search; beyond, only the nearest segments of each node
   std::optional<SearchKind> search;          ///< nothing: chosen for each search by its scene
   bool nodes_stay = false;                   ///< penetrating nodes are not moved, whatever the settings

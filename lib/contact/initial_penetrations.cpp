@@ -57,7 +57,7 @@ class SideSearch {
                     nodes,     all.neighbours, all.surface_type, all.solids,   {}};
     scene.tolerance = of_.options.tolerance;
     scene.mode = of_.options.mode;
-    scene.flush = written_digits;
+    scene.flush = of_.options.flush;
     scene.most_pairs = of_.options.most_pairs;
     scene.own = all.own;
     scene.own_neighbours = all.own_neighbours;
@@ -91,7 +91,7 @@ class SideSearch {
     }
     PairScene& scene = side->scene();
     scene.tolerance = of_.options.tolerance;
-    scene.flush = written_digits;
+    scene.flush = of_.options.flush;
     scene.most_pairs = of_.options.most_pairs;
     scene.mode = of_.options.mode;
     std::vector<Hit> hits;

@@ -228,8 +228,7 @@ TEST(Initial, ThickSheetsPenetrateThemselvesInCorners) {
   scene.contact("AUTOMATIC_SINGLE_SURFACE").ignore = 1;
   const InitialState state = scene.run();
   EXPECT_EQ(state.contacts[0].penetrations, 2U * 7) << "of the first row on either leg";
-  for (const Penetration& p : state.penetrations)
-    if (p.kind == PenetrationKind::initial) EXPECT_NEAR(p.depth, 1, 1e-12) << p.node;
+  EXPECT_NEAR(state.contacts[0].max_penetration, 1, 1e-12);
 }
 
 TEST(Initial, NodeInsideASolid) {

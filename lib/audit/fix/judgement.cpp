@@ -31,6 +31,7 @@ Judgement ContactJudge::at(const std::vector<Vector>& x) {
   contact::InitialOptions options;
   options.nodes_stay = true;
   options.repeated = false;
+  options.flush = contact::flush_in_runs;  // flush blocks are parted along the faces that press, as in a run
   options.segments = options.mortar = options.edges = true;
   contact::InitialCounters counters;
   Judgement now;

@@ -25,6 +25,10 @@ struct SolidExtents {
 [[nodiscard]] double solid_depth(const Segments& segments, const model::Mesh& mesh, std::size_t segment,
                                  const std::vector<Vector>& x);
 
+/// As a share of a face's shorter diagonal: a node that is so near to the face's plane slides along the face. Blocks
+/// that slide with flush sides in a run stay that near.
+inline constexpr double flush_in_runs = 0.01;
+
 /// Everything needed to decide one tracked node against one segment; built once per contact and side. All references
 /// must outlive it.
 struct PairScene {
@@ -41,9 +45,7 @@ struct PairScene {
   std::vector<bool> flipped;     ///< by segment: oriented against its node order; empty: none
   double tolerance = -1;         ///< replaces the default tolerance; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
-  /// A node that is so near to a face's plane lies in it, as a share of the face's shorter diagonal: of blocks that
-  /// slide with flush sides in a run. In a deck they are flush as far as its digits say.
-  double flush = 0.01;
+  double flush = flush_in_runs;                ///< how near to a face's plane a node lies in it (InitialOptions)
   double most_pairs = crowd_pairs;             ///< of one search; beyond, only the nearest segments of each node
   const Segments* own = nullptr;               ///< of the tracked nodes' side; null: not known
   const Neighbours* own_neighbours = nullptr;  ///< of these
