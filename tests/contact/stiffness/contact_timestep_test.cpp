@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "base/parallel.hpp"
 #include "contact/scene.hpp"
@@ -207,6 +208,32 @@ TEST(ContactTimestep, MortarContactsAndUnknownSoft2PrintAsTheBaseType) {
   EXPECT_TRUE(of("AUTOMATIC_SURFACE_TO_SURFACE", 2).empty());
   ASSERT_EQ(one_way.size(), 2U);
   EXPECT_EQ(of("AUTOMATIC_NODES_TO_SURFACE", 2), one_way);
+}
+
+// Contact rules, section 12: beams alone print 1.000E+16 with node 0, also where they are no segments.
+TEST(ContactTimestep, BeamsAloneHaveNoNode) {
+  for (const char* keyword : {"AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_GENERAL"}) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 1), rod = scene.part(2, 0);
+    scene.material(part, rho, bulk);
+    scene.material(rod, rho, bulk);
+    scene.plate(part, Vector(0, 0, 0), Vector(2, 0, 0), Vector(0, 3, 0), 1, 1);
+    scene.model.sections.back().kind = model::SectionKind::beam;
+    scene.model.sections.back().beam_radius = 1;
+    auto& beams = scene.model.mesh.beams;
+    beams.id.push_back(1);
+    beams.nodes.push_back({scene.node(Vector(0, 0, 9)), scene.node(Vector(5, 0, 9))});
+    beams.part.push_back(rod);
+    beams.line.push_back(0);
+    auto& contact = scene.contact(keyword);
+    contact.a = {2, 3, 0, true};
+    contact.b = {1, 3, 0, true};
+    const auto list = steps(scene);
+    ASSERT_EQ(list.size(), keyword == std::string_view("AUTOMATIC_GENERAL") ? 1U : 2U) << keyword;
+    EXPECT_EQ(list[0].timestep, 1e16);
+    EXPECT_EQ(list[0].node, 0);
+    EXPECT_EQ(list.size() == 2, list.back().timestep < 1);
+  }
 }
 
 TEST(ContactTimestep, NodesAloneAndWeakMaterialsLimitNothing) {
