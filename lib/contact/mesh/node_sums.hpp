@@ -47,8 +47,8 @@ bool disordered(const std::vector<std::array<NodeIndex, N>>& nodes, const std::v
 
 /// Adds the values that `each(item, add)` passes to add(node, value), for all items, to sums[node]; each node must be
 /// one of nodes[item]. Every sum is formed in the order of the items, for any number of threads: pieces of the items
-/// are visited at once, and what a piece adds to the nodes of an earlier one waits until the end. Most meshes are
-/// numbered so that this is little; of others, one thread visits all items.
+/// are visited at once, and what a piece adds to the nodes of an earlier one waits until the end. In most
+/// meshes few values wait. If most of them would, one thread visits all items.
 template <class Sum, std::size_t N, class Each>
 void sum_at_nodes(std::vector<Sum>& sums, const std::vector<std::array<NodeIndex, N>>& nodes, const Each& each) {
   using node_sums::piece;

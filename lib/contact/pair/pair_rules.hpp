@@ -12,7 +12,7 @@ namespace gapcheck::contact {
 /// Why a tracked node and a segment of one contact are never in contact.
 enum class PairRule : std::uint8_t {
   counts,     ///< they may
-  neighbour,  ///< single surface: a beam or solid of the node touches the segment; of others any element of it
+  neighbour,  ///< single surface: a beam or solid of the node touches the shell, or any of its elements another segment
   no_corner,  ///< segment-based: the node is not a corner of a facet
   own_part,   ///< mortar with a negative IGNORE: both belong to one part
   excluded,   ///< *CONTACT_EXCLUDE_INTERACTION

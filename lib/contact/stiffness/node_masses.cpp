@@ -68,7 +68,7 @@ void add_shells(const model::Model& model, const ElementSizes& sizes, const Dens
   });
 }
 
-/// By part: its elements have four or six nodes, however often the last ones are listed.
+/// By part: whether ELFORM makes its elements tetrahedra or wedges.
 std::vector<bool> parts_of_tetrahedra(const model::Model& model) {
   constexpr std::array<std::int64_t, 6> few_nodes{4, 10, 13, 15, 16, 17};
   std::vector<bool> of_part;

@@ -148,8 +148,7 @@ void LogCollector::sort_contacts(const LogOptions& options) {
   renumber(run_.surface_timesteps);
 }
 
-/// A node on the border of two ranks is judged by both, and what one of them does not find the other may: what that one
-/// says of it counts.
+/// Both ranks judge a node on their border. If only one of them finds it on a segment, that one's reason counts.
 void LogCollector::drop_not_found_elsewhere() {
   using NodeOfFile = std::tuple<std::uint32_t, std::int64_t, std::uint32_t>;
   std::vector<NodeOfFile> found;  // contact, node, file
